@@ -89,58 +89,36 @@ std::string cone_words(const Cone& cone) {
 
 namespace {
 
-std::string words_of_limit(RequirementKind kind, const Requirements& wanted, std::string_view unit) {
-  const double most = wanted.max_length.value_or(Requirements::unlimited), least = wanted.min_length.value_or(0);
-  const double angle = wanted.min_link_angle.value_or(0);
-  switch (kind) {
-    case RequirementKind::min_transmission_angle:
-      if (!(wanted.min_transmission_angle > 0)) return "";
-      return "transmission angle over the task at least " + angle_words(wanted.min_transmission_angle);
-    case RequirementKind::max_link_ratio:
-      if (!std::isfinite(wanted.max_link_ratio)) return "";
-      return "link ratio at most " + significant_text(wanted.max_link_ratio, limit_digits);
-    case RequirementKind::max_length:
-      return std::isfinite(most) ? "longest link at most " + limit_words(most, unit) : "";
-    case RequirementKind::min_length:
-      return least > 0 ? "shortest link at least " + limit_words(least, unit) : "";
-    case RequirementKind::min_link_angle:
-      return angle > 0 ? "link angles at least " + angle_words(angle) : "";
-    case RequirementKind::max_link_angle:
-      return wanted.max_link_angle ? "link angles at most " + angle_words(*wanted.max_link_angle) : "";
-    case RequirementKind::min_stroke:
-      return wanted.min_stroke > 0 ? "usable length at least " + limit_words(wanted.min_stroke, unit) : "";
-    case RequirementKind::max_deviation:
-      if (!std::isfinite(wanted.max_deviation)) return "";
-      return "deviation at most " + limit_words(wanted.max_deviation, unit);
-    case RequirementKind::max_tolerance_error:
-      if (!std::isfinite(wanted.max_tolerance_error)) return "";
-      return "error by tolerances at most " + significant_text(wanted.max_tolerance_error, limit_digits);
-    case RequirementKind::min_yield:
-      return wanted.min_yield > 0
-                 ? fmt::format("yield at least {} %", significant_text(100 * wanted.min_yield, limit_digits))
-                 : "";
+bool is_least(const Criterion& asked) { return asked.rule == Criterion::Rule::at_least; }
+
+std::string value_words(const Criterion& asked, double value, std::string_view unit) {
+  switch (asked.unit) {
+    case Criterion::Unit::angle:
+      return angle_words(value);
+    case Criterion::Unit::length:
+      return limit_words(value, unit);
+    case Criterion::Unit::share:
+      return significant_text(100 * value, limit_digits) + " %";
     default:
-      return "";
+      return significant_text(value, limit_digits);
   }
 }
 
-std::string words_of_place(RequirementKind kind, const Requirements& wanted, int position) {
-  const auto words = [](std::string_view what, std::string_view where) { return fmt::format("{} {}", what, where); };
-  const std::string lying = fmt::format("(position {})", position);
-  switch (kind) {
-    case RequirementKind::ground_pivots_within:
-      return wanted.ground_pivots_within ? words("fixed pivots in", box_words(*wanted.ground_pivots_within)) : "";
-    case RequirementKind::moving_pivots_within:
-      if (!wanted.moving_pivots_within) return "";
-      return words("moving pivots " + lying + " in", box_words(*wanted.moving_pivots_within));
-    case RequirementKind::fixed_axes_within:
-      return wanted.fixed_axes_within ? words("fixed axes within", cone_words(*wanted.fixed_axes_within)) : "";
-    case RequirementKind::moving_axes_within:
-      if (!wanted.moving_axes_within) return "";
-      return words("moving axes " + lying + " within", cone_words(*wanted.moving_axes_within));
-    default:
-      return "";
-  }
+std::string words_of_place(const Criterion& asked, const PivotWindow& within, int position) {
+  const auto* box = std::get_if<Box>(&within);
+  return fmt::format("{}{} {}", asked.name,
+                     asked.rule == Criterion::Rule::moving_inside ? fmt::format(" (position {})", position) : "",
+                     box ? "in " + box_words(*box) : "within " + cone_words(std::get<Cone>(within)));
+}
+
+/// Nothing where it is not asked for.
+std::string words_of(const Criterion& asked, const Requirements& wanted, std::string_view unit, int position) {
+  if (asked.rule == Criterion::Rule::one_of_types && !wanted.types.empty())
+    return fmt::format("{} {}", asked.name, type_list(wanted.types));
+  if (const auto within = asked.window(wanted)) return words_of_place(asked, *within, position);
+  if (!asked.has_limit(wanted)) return "";
+  return fmt::format("{} at {} {}", asked.name, is_least(asked) ? "least" : "most",
+                     value_words(asked, asked.limit(wanted), unit));
 }
 
 }  // namespace
@@ -151,10 +129,7 @@ std::string requirement_words(const Requirements& requirements, const LinkageCla
   if (place_among(asked.requirements, RequirementKind::no_defects) < asked.requirements.size())
     text = requirements.no_defects ? "no defects" : "defects allowed";
   for (const RequirementKind kind : asked.requirements) {
-    std::string words = kind == RequirementKind::types && !requirements.types.empty()
-                            ? "type " + type_list(requirements.types)
-                            : words_of_limit(kind, requirements, unit);
-    words += words_of_place(kind, requirements, position);
+    const std::string words = words_of(criterion(kind), requirements, unit, position);
     if (!words.empty()) text += (text.empty() ? "" : ", ") + words;
   }
   return text.empty() ? "none" : text;
@@ -208,39 +183,16 @@ std::string held_back_words(const std::vector<std::string>& limits) {
 }
 
 std::string relaxation_words(const Relaxation& relaxation, std::string_view unit) {
+  const Criterion& asked = criterion(relaxation.requirement);
   const std::string leaves = grouped_text(relaxation.leaves);
-  if (relaxation.box)
-    return fmt::format("{} of {} would leave {}.", key(relaxation.requirement), box_words(*relaxation.box), leaves);
-  if (!relaxation.value) return fmt::format("Without {} there would be {}.", key(relaxation.requirement), leaves);
-  switch (relaxation.requirement) {
-    case RequirementKind::min_transmission_angle:
-      return fmt::format("A transmission angle of at least {} would leave {}.", angle_words(*relaxation.value), leaves);
-    case RequirementKind::max_link_ratio:
-      return fmt::format("A link ratio of at most {} would leave {}.",
-                         significant_text(*relaxation.value, limit_digits), leaves);
-    case RequirementKind::max_length:
-      return fmt::format("A longest link of at most {} would leave {}.", limit_words(*relaxation.value, unit), leaves);
-    case RequirementKind::min_length:
-      return fmt::format("A shortest link of at least {} would leave {}.", limit_words(*relaxation.value, unit),
-                         leaves);
-    case RequirementKind::min_link_angle:
-      return fmt::format("Link angles of at least {} would leave {}.", angle_words(*relaxation.value), leaves);
-    case RequirementKind::max_link_angle:
-      return fmt::format("Link angles of at most {} would leave {}.", angle_words(*relaxation.value), leaves);
-    case RequirementKind::min_stroke:
-      return fmt::format("A usable length of at least {} would leave {}.", limit_words(*relaxation.value, unit),
-                         leaves);
-    case RequirementKind::max_deviation:
-      return fmt::format("A deviation of at most {} would leave {}.", limit_words(*relaxation.value, unit), leaves);
-    case RequirementKind::fixed_axes_within:
-    case RequirementKind::moving_axes_within:
-      return fmt::format("{} of {} would leave {}.", key(relaxation.requirement), angle_words(*relaxation.value),
-                         leaves);
-    default:
-      break;
-  }
-  return fmt::format("{} = {} would leave {}.", key(relaxation.requirement),
-                     significant_text(*relaxation.value, limit_digits), leaves);
+  if (relaxation.box) return fmt::format("{} of {} would leave {}.", asked.key, box_words(*relaxation.box), leaves);
+  if (!relaxation.value) return fmt::format("Without {} there would be {}.", asked.key, leaves);
+  if (!asked.is_number())
+    return fmt::format("{} of {} would leave {}.", asked.key, angle_words(*relaxation.value), leaves);
+  if (asked.as_advice.empty())
+    return fmt::format("{} = {} would leave {}.", asked.key, significant_text(*relaxation.value, limit_digits), leaves);
+  return fmt::format("{} of at {} {} would leave {}.", asked.as_advice, is_least(asked) ? "least" : "most",
+                     value_words(asked, *relaxation.value, unit), leaves);
 }
 
 }  // namespace linkwright::cli

@@ -79,36 +79,37 @@ void read_types(const JsonObject& object, std::vector<LinkageType>& types) {
   });
 }
 
+void read_number(const JsonObject& object, const Criterion& asked, Requirements& requirements) {
+  const auto found = object.find(asked.key);
+  if (!found) return;
+  const auto number = found->is_null() ? std::nullopt : found->as_number();
+  if (!number && !found->is_null()) return;
+  const double limit = !number ? asked.any : asked.is_angle() ? radians(*number) : *number;
+  if (const auto* plain = std::get_if<double Requirements::*>(&asked.asked)) requirements.** plain = limit;
+  if (const auto* open = std::get_if<std::optional<double> Requirements::*>(&asked.asked))
+    if (number || asked.has_default) requirements.** open = limit;
+}
+
+void read_criterion(const JsonObject& object, const Criterion& asked, Mistakes& mistakes, Requirements& wanted) {
+  if (asked.is_number()) return read_number(object, asked, wanted);
+  if (const auto* types = std::get_if<std::vector<LinkageType> Requirements::*>(&asked.asked))
+    return read_types(object, wanted.**types);
+  if (const auto* flag = std::get_if<bool Requirements::*>(&asked.asked))
+    return read_flag(object, asked.key, wanted.**flag);
+  if (const auto* box = std::get_if<std::optional<Box> Requirements::*>(&asked.asked))
+    return read_box(object, asked.key, mistakes, wanted.**box);
+  read_cone(object, asked.key, mistakes, wanted.*std::get<std::optional<Cone> Requirements::*>(asked.asked));
+}
+
 void read_requirements(const JsonValue& value, Mistakes& mistakes, Requirements& requirements) {
+  constexpr std::string_view direction = "respect_direction";
   const std::size_t before = mistakes.size();
-  const JsonObject object(
-      value, mistakes,
-      {"types", "no_defects", "min_transmission_angle_deg", "max_link_ratio", "max_length", "min_length",
-       "ground_pivots_within", "moving_pivots_within", "min_link_angle_deg", "max_link_angle_deg", "fixed_axes_within",
-       "moving_axes_within", "min_stroke", "max_deviation", "max_tolerance_error", "min_yield", "respect_direction"});
-  read_types(object, requirements.types);
-  read_flag(object, "no_defects", requirements.no_defects);
-  read_limit(object, "min_transmission_angle_deg", 0,
-             [&](double limit) { requirements.min_transmission_angle = radians(limit); });
-  read_limit(object, "max_link_ratio", Requirements::unlimited,
-             [&](double limit) { requirements.max_link_ratio = limit; });
-  read_limit(object, "max_length", Requirements::unlimited, [&](double limit) { requirements.max_length = limit; });
-  read_limit(object, "min_length", 0, [&](double limit) { requirements.min_length = limit; });
-  read_box(object, "ground_pivots_within", mistakes, requirements.ground_pivots_within);
-  read_box(object, "moving_pivots_within", mistakes, requirements.moving_pivots_within);
-  read_limit(object, "min_link_angle_deg", 0, [&](double limit) { requirements.min_link_angle = radians(limit); });
-  read_limit(object, "max_link_angle_deg", Requirements::unlimited, [&](double limit) {
-    if (std::isfinite(limit)) requirements.max_link_angle = radians(limit);
-  });
-  read_cone(object, "fixed_axes_within", mistakes, requirements.fixed_axes_within);
-  read_cone(object, "moving_axes_within", mistakes, requirements.moving_axes_within);
-  read_limit(object, "min_stroke", 0, [&](double limit) { requirements.min_stroke = limit; });
-  read_limit(object, "max_deviation", Requirements::unlimited,
-             [&](double limit) { requirements.max_deviation = limit; });
-  read_limit(object, "max_tolerance_error", Requirements::unlimited,
-             [&](double limit) { requirements.max_tolerance_error = limit; });
-  read_limit(object, "min_yield", 0, [&](double limit) { requirements.min_yield = limit; });
-  read_flag(object, "respect_direction", requirements.respect_direction);
+  std::vector<std::string_view> known;
+  for (const Criterion& asked : criteria()) known.push_back(asked.key);
+  known.push_back(direction);
+  const JsonObject object(value, mistakes, known);
+  for (const Criterion& asked : criteria()) read_criterion(object, asked, mistakes, requirements);
+  read_flag(object, direction, requirements.respect_direction);
   if (mistakes.size() == before) mistakes.add(mistakes_in(requirements));
 }
 
@@ -117,11 +118,11 @@ void refuse_foreign_requirements(const JsonValue& value, const Requirements& req
                                  Mistakes& mistakes) {
   std::vector<Error> found = mistakes_in(requirements, asked);
   const JsonObject object(value, mistakes, {});
-  for (std::size_t k = 0; k < requirement_kind_count; ++k) {
-    const auto kind = static_cast<RequirementKind>(k);
-    const auto written = object.find(key(kind));
-    if (!written || written->is_null() || place_among(asked.requirements, kind) < asked.requirements.size()) continue;
-    const Error foreign = foreign_requirement(kind, asked);
+  for (const Criterion& one : criteria()) {
+    const auto written = object.find(one.key);
+    if (!written || written->is_null() || place_among(asked.requirements, one.kind) < asked.requirements.size())
+      continue;
+    const Error foreign = foreign_requirement(one.kind, asked);
     if (std::none_of(found.begin(), found.end(), [&](const Error& known) { return known.place == foreign.place; }))
       found.push_back(foreign);
   }

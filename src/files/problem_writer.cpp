@@ -18,11 +18,6 @@ void write_box(JsonWriter& json, std::string_view key, const std::optional<Box>&
   box ? linkwright::write_box(json, *box) : json.null();
 }
 
-void write_cone(JsonWriter& json, std::string_view key, const std::optional<Cone>& cone) {
-  json.key(key);
-  cone ? linkwright::write_cone(json, *cone) : json.null();
-}
-
 void write_types(JsonWriter& json, const std::vector<LinkageType>& types) {
   json.key("types");
   json.begin_list(Layout::one_line);
@@ -30,49 +25,26 @@ void write_types(JsonWriter& json, const std::vector<LinkageType>& types) {
   json.end_list();
 }
 
-// An angle that is not limited is null.
-void write_angle(JsonWriter& json, std::string_view key, std::optional<double> angle) {
-  json.key(key);
-  angle ? json.value(degrees_for_files(*angle)) : json.null();
+// What is not limited is null; of angles that are no more than a number, too.
+void write_number(JsonWriter& json, const Criterion& asked, const Requirements& wanted) {
+  if (asked.is_of_tolerances && !asked.has_limit(wanted)) return;
+  const auto* open = std::get_if<std::optional<double> Requirements::*>(&asked.asked);
+  if (open && asked.has_default && !(wanted.**open)) return;  // only an answer knows it
+  const double limit = asked.limit(wanted);
+  if (!asked.is_angle()) return json.member(asked.key, limit);
+  json.key(asked.key);
+  open&& limit == asked.any ? json.null() : json.value(degrees_for_files(limit));
 }
 
-void write_requirement(JsonWriter& json, const Requirements& wanted, RequirementKind kind) {
-  switch (kind) {
-    case RequirementKind::types:
-      return write_types(json, wanted.types);
-    case RequirementKind::no_defects:
-      return json.member(key(kind), wanted.no_defects);
-    case RequirementKind::min_transmission_angle:
-      return write_angle(json, key(kind), wanted.min_transmission_angle);
-    case RequirementKind::max_link_ratio:
-      return json.member(key(kind), wanted.max_link_ratio);  // unlimited: null
-    case RequirementKind::max_length:
-      return wanted.max_length ? json.member(key(kind), *wanted.max_length) : void();
-    case RequirementKind::min_length:
-      return wanted.min_length ? json.member(key(kind), *wanted.min_length) : void();
-    case RequirementKind::ground_pivots_within:
-      return write_box(json, key(kind), wanted.ground_pivots_within);
-    case RequirementKind::moving_pivots_within:
-      return write_box(json, key(kind), wanted.moving_pivots_within);
-    case RequirementKind::min_link_angle:  // nothing: the default, which only an answer knows
-      if (!wanted.min_link_angle) return;
-      return write_angle(json, key(kind), *wanted.min_link_angle > 0 ? wanted.min_link_angle : std::nullopt);
-    case RequirementKind::max_link_angle:
-      return write_angle(json, key(kind), wanted.max_link_angle);
-    case RequirementKind::fixed_axes_within:
-      return write_cone(json, key(kind), wanted.fixed_axes_within);
-    case RequirementKind::moving_axes_within:
-      return write_cone(json, key(kind), wanted.moving_axes_within);
-    case RequirementKind::min_stroke:
-      return json.member(key(kind), wanted.min_stroke);
-    case RequirementKind::max_deviation:
-      return json.member(key(kind), wanted.max_deviation);  // unlimited: null
-    // Of tolerances nothing is said where there are none.
-    case RequirementKind::max_tolerance_error:
-      return std::isfinite(wanted.max_tolerance_error) ? json.member(key(kind), wanted.max_tolerance_error) : void();
-    case RequirementKind::min_yield:
-      return wanted.min_yield > 0 ? json.member(key(kind), wanted.min_yield) : void();
-  }
+void write_criterion(JsonWriter& json, const Criterion& asked, const Requirements& wanted) {
+  if (asked.is_number()) return write_number(json, asked, wanted);
+  if (asked.rule == Criterion::Rule::one_of_types) return write_types(json, wanted.types);
+  if (asked.rule == Criterion::Rule::without_defects) return json.member(asked.key, wanted.no_defects);
+  json.key(asked.key);
+  const auto window = asked.window(wanted);
+  if (!window) return json.null();
+  if (const auto* box = std::get_if<Box>(&*window)) return linkwright::write_box(json, *box);
+  linkwright::write_cone(json, std::get<Cone>(*window));
 }
 
 void write_measuring(JsonWriter& json, const LineMeasuring& line) {
@@ -130,7 +102,7 @@ std::string view_text(const Problem& problem) {
 
 void write_requirements(JsonWriter& json, const Requirements& requirements, const LinkageClass& asked) {
   json.begin_object();
-  for (const RequirementKind kind : asked.requirements) write_requirement(json, requirements, kind);
+  for (const RequirementKind kind : asked.requirements) write_criterion(json, criterion(kind), requirements);
   json.member("respect_direction", requirements.respect_direction);
   json.end_object();
 }

@@ -201,7 +201,7 @@ void write_relaxed_value(JsonWriter& json, const Relaxation& relaxation) {
   if (relaxation.box)
     write_box(json, *relaxation.box);
   else if (relaxation.value)
-    json.value(is_angle(relaxation.requirement) ? degrees_for_files(*relaxation.value) : *relaxation.value);
+    json.value(criterion(relaxation.requirement).is_angle() ? degrees_for_files(*relaxation.value) : *relaxation.value);
   else
     json.null();
 }

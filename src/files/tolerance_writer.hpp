@@ -3,7 +3,7 @@
 #include <vector>
 
 #include "files/json/json_writer.hpp"
-#include "linkwright/region/requirement_kind.hpp"
+#include "linkwright/region/criterion.hpp"
 #include "linkwright/robust/tolerance_report.hpp"
 #include "linkwright/synthesis/answer.hpp"
 

@@ -15,40 +15,6 @@ bool has(std::span<const Member> members, Member wanted) {
 
 std::string in_quotes(std::string_view name) { return fmt::format("\"{}\"", name); }
 
-// Beside what requirements are by default.
-bool is_asked(const Requirements& wanted, RequirementKind kind) {
-  switch (kind) {
-    case RequirementKind::max_link_ratio:
-      return wanted.max_link_ratio < Requirements::unlimited && wanted.max_link_ratio != Requirements{}.max_link_ratio;
-    case RequirementKind::max_length:
-      return wanted.max_length.value_or(Requirements::unlimited) < Requirements::unlimited;
-    case RequirementKind::min_length:
-      return wanted.min_length.value_or(0) > 0;
-    case RequirementKind::ground_pivots_within:
-      return wanted.ground_pivots_within.has_value();
-    case RequirementKind::moving_pivots_within:
-      return wanted.moving_pivots_within.has_value();
-    case RequirementKind::min_link_angle:
-      return wanted.min_link_angle.value_or(0) > 0;
-    case RequirementKind::max_link_angle:
-      return wanted.max_link_angle.has_value();
-    case RequirementKind::fixed_axes_within:
-      return wanted.fixed_axes_within.has_value();
-    case RequirementKind::moving_axes_within:
-      return wanted.moving_axes_within.has_value();
-    case RequirementKind::min_stroke:
-      return wanted.min_stroke > 0;
-    case RequirementKind::max_deviation:
-      return wanted.max_deviation < Requirements::unlimited;
-    case RequirementKind::max_tolerance_error:
-      return wanted.max_tolerance_error < Requirements::unlimited;
-    case RequirementKind::min_yield:
-      return wanted.min_yield > 0;
-    default:
-      return false;  // every class has them
-  }
-}
-
 }  // namespace
 
 Error foreign_requirement(RequirementKind kind, const LinkageClass& of) {
@@ -80,10 +46,9 @@ std::vector<Error> mistakes_in(const Requirements& wanted, const LinkageClass& o
   std::vector<Error> found;
   for (const LinkageType type : wanted.types)
     if (!has(of.types, type)) found.push_back(foreign_type(type, of));
-  for (std::size_t k = 0; k < requirement_kind_count; ++k) {
-    const auto kind = static_cast<RequirementKind>(k);
-    if (!has(of.requirements, kind) && is_asked(wanted, kind)) found.push_back(foreign_requirement(kind, of));
-  }
+  for (const Criterion& asked : criteria())
+    if (!has(of.requirements, asked.kind) && asked.is_asked(wanted))
+      found.push_back(foreign_requirement(asked.kind, of));
   return found;
 }
 

@@ -57,17 +57,12 @@ std::vector<AxisArc> arcs_within(const MapAxis& axis, std::vector<double> knots,
 }
 
 PivotWindows windows_of(const Requirements& wanted, const LinkageClass& linkages) {
-  const auto has = [&](RequirementKind kind) {
-    return place_among(linkages.requirements, kind) < linkages.requirements.size();
-  };
   PivotWindows windows;
-  if (wanted.ground_pivots_within && has(RequirementKind::ground_pivots_within))
-    windows.ground = *wanted.ground_pivots_within;
-  if (wanted.moving_pivots_within && has(RequirementKind::moving_pivots_within))
-    windows.moving = *wanted.moving_pivots_within;
-  if (wanted.fixed_axes_within && has(RequirementKind::fixed_axes_within)) windows.ground = *wanted.fixed_axes_within;
-  if (wanted.moving_axes_within && has(RequirementKind::moving_axes_within))
-    windows.moving = *wanted.moving_axes_within;
+  for (const RequirementKind kind : linkages.requirements) {
+    const Criterion& asked = criterion(kind);
+    if (const auto window = asked.window(wanted))
+      (asked.rule == Criterion::Rule::ground_inside ? windows.ground : windows.moving) = window;
+  }
   return windows;
 }
 

@@ -45,20 +45,8 @@ RequirementFilter::RequirementFilter(const RegionMap& map, const Requirements& r
   require(kinds_.size() <= max_requirements, "a class has no more requirements than there are bits");
   require(requirements.max_length || place_among(kinds_, RequirementKind::max_length) == kinds_.size(),
           "max_length is set");
-  const Requirements& wanted = requirements_;
   verdict_failures_ = verdict_failures();
-  add_bound(RequirementKind::min_transmission_angle, measures::min_transmission_angle, wanted.min_transmission_angle);
-  add_bound(RequirementKind::max_link_ratio, measures::link_ratio, wanted.max_link_ratio);
-  add_bound(RequirementKind::max_length, measures::longest_link, wanted.max_length.value_or(Requirements::unlimited));
-  add_bound(RequirementKind::min_length, measures::longest_link, wanted.min_length.value_or(0), &measures::link_ratio);
-  add_bound(RequirementKind::min_link_angle, measures::min_link_angle, wanted.min_link_angle.value_or(0));
-  add_bound(RequirementKind::max_link_angle, measures::max_link_angle, wanted.max_link_angle.value_or(pi));
-  add_bound(RequirementKind::min_stroke, measures::usable_length, wanted.min_stroke);
-  // An infinite one, of a straight line that does not go as far as its stroke, no requirement lets pass.
-  constexpr double finite = std::numeric_limits<float>::max();
-  add_bound(RequirementKind::max_deviation, measures::deviation, std::min(wanted.max_deviation, finite));
-  add_bound(RequirementKind::max_tolerance_error, measures::tolerance_error, wanted.max_tolerance_error);
-  add_bound(RequirementKind::min_yield, measures::yield, wanted.min_yield);
+  for (const RequirementKind kind : kinds_) add_bound(criterion(kind));
   if (!pivots) return;
   add_places();
   if (places_.empty()) return;
@@ -67,33 +55,25 @@ RequirementFilter::RequirementFilter(const RegionMap& map, const Requirements& r
   for (const GroundedLinkPivots& link : pivots_.columns) output_place_failures_.push_back(place_failures(link));
 }
 
-void RequirementFilter::add_bound(RequirementKind kind, const Measure& measure, double limit, const Measure* per) {
-  const std::span<const float> values = map_->values(measure);
-  if (place_among(kinds_, kind) == kinds_.size() || values.empty()) return;
-  const bool is_least = kind == RequirementKind::min_transmission_angle || kind == RequirementKind::min_length ||
-                        kind == RequirementKind::min_link_angle || kind == RequirementKind::min_stroke ||
-                        kind == RequirementKind::min_yield;
-  const double stored = measure.stored == Measure::Stored::as_versine ? versine_of_angle(limit) : limit;
-  bounds_.push_back({kind, bit(kind), measure, values, per ? map_->values(*per) : std::span<const float>{},
-                     static_cast<float>(stored), is_least});
+void RequirementFilter::add_bound(const Criterion& asked) {
+  if (!asked.is_number() || map_->values(*asked.of).empty()) return;
+  constexpr double finite = std::numeric_limits<float>::max();
+  const double limit = asked.limit(requirements_), most = asked.lets_infinite_pass ? limit : std::min(limit, finite);
+  const double stored = asked.of->stored == Measure::Stored::as_versine ? versine_of_angle(most) : most;
+  bounds_.push_back({asked.kind, bit(asked.kind), *asked.of, map_->values(*asked.of),
+                     asked.per ? map_->values(*asked.per) : std::span<const float>{}, static_cast<float>(stored),
+                     asked.rule == Criterion::Rule::at_least});
 }
 
 void RequirementFilter::add_places() {
-  const auto add = [&](RequirementKind kind, const auto& within, auto of_link, auto of_linkage) {
-    if (within && place_among(kinds_, kind) < kinds_.size())
-      places_.push_back({kind, bit(kind), of_link, of_linkage, *within});
-  };
-  const Requirements& wanted = requirements_;
-  const auto ground = [&](RequirementKind kind, const auto& within) {
-    add(kind, within, &GroundedLinkPivots::ground, &Pivots::ground);
-  };
-  const auto moving = [&](RequirementKind kind, const auto& within) {
-    add(kind, within, &GroundedLinkPivots::moving, &Pivots::moving);
-  };
-  ground(RequirementKind::ground_pivots_within, wanted.ground_pivots_within);
-  moving(RequirementKind::moving_pivots_within, wanted.moving_pivots_within);
-  ground(RequirementKind::fixed_axes_within, wanted.fixed_axes_within);
-  moving(RequirementKind::moving_axes_within, wanted.moving_axes_within);
+  for (const RequirementKind kind : kinds_) {
+    const Criterion& asked = criterion(kind);
+    const auto within = asked.window(requirements_);
+    if (!within) continue;
+    const bool of_ground = asked.rule == Criterion::Rule::ground_inside;
+    places_.push_back({kind, bit(kind), of_ground ? &GroundedLinkPivots::ground : &GroundedLinkPivots::moving,
+                       of_ground ? &Pivots::ground : &Pivots::moving, *within});
+  }
 }
 
 FailureBits RequirementFilter::bit(RequirementKind kind) const {
@@ -306,7 +286,7 @@ void RequirementFilter::put_value(Relaxation& relaxation, const Cells& cells, bo
   }
   if (!nearest) return;
   const double limit = rounded(*nearest, !is_least);
-  relaxation.value = is_angle(relaxation.requirement) ? radians(limit) : limit;
+  relaxation.value = criterion(relaxation.requirement).is_angle() ? radians(limit) : limit;
   relaxation.leaves -= relaxation.only_this;
   for (const std::size_t cell : cells) {
     const auto value = value_of(cell);
@@ -394,8 +374,8 @@ std::vector<Relaxation> RequirementFilter::relaxations(const RequirementCensus& 
   const std::array<Cells, max_requirements> cells = cells_failing_one(progress);
   for (std::size_t k = 0; k < kinds_.size(); ++k) {
     const std::int64_t only_this = census.failing_only(kinds_[k]);
-    const bool is_asked = kinds_[k] != RequirementKind::max_deviation || std::isfinite(requirements_.max_deviation);
-    if (only_this == 0 || !is_asked) continue;
+    const Criterion& asked = criterion(kinds_[k]);
+    if (only_this == 0 || (!asked.lets_infinite_pass && !asked.has_limit(requirements_))) continue;
     Relaxation relaxation{kinds_[k], only_this, std::nullopt, std::nullopt, census.meeting + only_this};
     put_relaxed(relaxation, cells[k]);
     found.push_back(relaxation);

@@ -254,12 +254,8 @@ void add_dearer(std::vector<Relaxation>& known, const std::vector<Relaxation>& m
   }
 }
 
-bool is_ground_window(RequirementKind kind) {
-  return kind == RequirementKind::ground_pivots_within || kind == RequirementKind::fixed_axes_within;
-}
-bool is_moving_window(RequirementKind kind) {
-  return kind == RequirementKind::moving_pivots_within || kind == RequirementKind::moving_axes_within;
-}
+bool is_ground_window(RequirementKind kind) { return criterion(kind).rule == Criterion::Rule::ground_inside; }
+bool is_moving_window(RequirementKind kind) { return criterion(kind).rule == Criterion::Rule::moving_inside; }
 
 // One map to each pair of stretches; nothing where a grounded link depends on both coordinates, none where on one of
 // the axes none has its hinges inside.

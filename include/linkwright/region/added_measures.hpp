@@ -6,8 +6,8 @@
 
 #include "linkwright/core/progress.hpp"
 #include "linkwright/region/cell_measure.hpp"
+#include "linkwright/region/criterion.hpp"
 #include "linkwright/region/objective.hpp"
-#include "linkwright/region/requirement_kind.hpp"
 #include "linkwright/region/requirements.hpp"
 
 namespace linkwright {

@@ -6,8 +6,8 @@
 
 #include "linkwright/analysis/linkage_type.hpp"
 #include "linkwright/core/result.hpp"
+#include "linkwright/region/criterion.hpp"
 #include "linkwright/region/objective.hpp"
-#include "linkwright/region/requirement_kind.hpp"
 #include "linkwright/region/requirements.hpp"
 
 namespace linkwright {

@@ -3,19 +3,15 @@
 #include <functional>
 #include <optional>
 #include <span>
-#include <variant>
 #include <vector>
 
 #include "linkwright/region/axis_arcs.hpp"
+#include "linkwright/region/criterion.hpp"
 #include "linkwright/region/linkage_class.hpp"
 #include "linkwright/region/region_map.hpp"
-#include "linkwright/region/requirement_kind.hpp"
 #include "linkwright/region/requirements.hpp"
 
 namespace linkwright {
-
-/// Where a hinge has to lie.
-using PivotWindow = std::variant<Box, Cone>;
 
 [[nodiscard]] bool contains(const PivotWindow& window, Vector3 hinge);
 /// How far a hinge lies outside, user's unit or radians; 0 inside.

@@ -11,10 +11,10 @@
 #include <vector>
 
 #include "linkwright/core/progress.hpp"
+#include "linkwright/region/criterion.hpp"
 #include "linkwright/region/linkage_family.hpp"
 #include "linkwright/region/pivot_windows.hpp"
 #include "linkwright/region/region_map.hpp"
-#include "linkwright/region/requirement_kind.hpp"
 #include "linkwright/region/requirements.hpp"
 
 namespace linkwright {
@@ -119,7 +119,7 @@ class RequirementFilter {
     PivotWindow within;
   };
 
-  void add_bound(RequirementKind kind, const Measure& measure, double limit, const Measure* per = nullptr);
+  void add_bound(const Criterion& asked);
   void add_places();
   [[nodiscard]] FailureBits bit(RequirementKind kind) const;
   [[nodiscard]] std::vector<FailureBits> verdict_failures() const;

@@ -4,6 +4,7 @@
 #include <cmath>
 #include <limits>
 #include <optional>
+#include <variant>
 #include <vector>
 
 #include "linkwright/algebra/vector3.hpp"
@@ -51,6 +52,9 @@ struct Cone {
 
   friend bool operator==(const Cone&, const Cone&) = default;
 };
+
+/// Where a hinge has to lie.
+using PivotWindow = std::variant<Box, Cone>;
 
 /// What the user asks of a linkage beside the task. They choose and rank; they never change the curve or the counts.
 /// Which of them go with a class of linkages, its LinkageClass says.

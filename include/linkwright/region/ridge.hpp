@@ -4,7 +4,7 @@
 #include <span>
 #include <vector>
 
-#include "linkwright/region/requirement_kind.hpp"
+#include "linkwright/region/criterion.hpp"
 
 namespace linkwright {
 

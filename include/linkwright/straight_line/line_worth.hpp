@@ -1,7 +1,7 @@
 #pragma once
 
+#include "linkwright/region/criterion.hpp"
 #include "linkwright/region/objective.hpp"
-#include "linkwright/region/requirement_kind.hpp"
 #include "linkwright/region/requirements.hpp"
 #include "linkwright/straight_line/straight_path.hpp"
 

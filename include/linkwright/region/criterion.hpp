@@ -1,0 +1,93 @@
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+#include <optional>
+#include <span>
+#include <string_view>
+#include <variant>
+#include <vector>
+
+#include "linkwright/region/measure.hpp"
+#include "linkwright/region/requirements.hpp"
+
+namespace linkwright {
+
+/// What can be required of a linkage; which of them, the class of linkages says.
+enum class RequirementKind : std::uint8_t {
+  types,
+  no_defects,
+  min_transmission_angle,
+  max_link_ratio,
+  max_length,
+  min_length,
+  ground_pivots_within,
+  moving_pivots_within,
+  min_link_angle,
+  max_link_angle,
+  fixed_axes_within,
+  moving_axes_within,
+  min_stroke,
+  max_deviation,
+  max_tolerance_error,
+  min_yield
+};
+inline constexpr std::size_t requirement_kind_count = 16;
+
+/// A row of the table of all that can be required: filter, reader, writer and reports walk it.
+struct Criterion {
+  enum class Rule : std::uint8_t { one_of_types, without_defects, at_least, at_most, ground_inside, moving_inside };
+  enum class Unit : std::uint8_t { number, length, angle, share };
+  /// Where Requirements has what is asked.
+  using Asked = std::variant<std::vector<LinkageType> Requirements::*, bool Requirements::*, double Requirements::*,
+                             std::optional<double> Requirements::*, std::optional<Box> Requirements::*,
+                             std::optional<Cone> Requirements::*>;
+
+  RequirementKind kind;
+  std::string_view key;  ///< in files: no_defects, min_transmission_angle_deg, …
+  Rule rule;
+  Unit unit;
+  Asked asked;
+  std::string_view name;            ///< in a list: "link ratio" at most 4
+  std::string_view as_advice = "";  ///< as a sentence begins: "A link ratio" of at most 4; empty: by its key
+  // Of numbers.
+  const Measure* of = nullptr;   ///< what is bounded
+  const Measure* per = nullptr;  ///< … over this
+  double any = 0;                ///< the limit that lets any linkage pass
+  bool has_default = false;      ///< what is not given is the default of the task
+  bool lets_infinite_pass = true;
+  bool is_of_tolerances = false;  ///< nothing is said of it where it is not asked
+
+  [[nodiscard]] bool is_number() const { return rule == Rule::at_least || rule == Rule::at_most; }
+  /// Radians, degrees in files; of a cone its half-angle.
+  [[nodiscard]] bool is_angle() const { return unit == Unit::angle; }
+  /// Of a number, `any` where it is not given.
+  [[nodiscard]] double limit(const Requirements& wanted) const;
+  [[nodiscard]] bool has_limit(const Requirements& wanted) const { return is_number() && limit(wanted) != any; }
+  /// Where hinges must lie; nothing: anywhere.
+  [[nodiscard]] std::optional<PivotWindow> window(const Requirements& wanted) const;
+  /// A number or places are asked for, other than by default.
+  [[nodiscard]] bool is_asked(const Requirements& wanted) const;
+};
+/// By kind.
+[[nodiscard]] std::span<const Criterion, requirement_kind_count> criteria();
+[[nodiscard]] inline const Criterion& criterion(RequirementKind kind) {
+  return criteria()[static_cast<std::size_t>(kind)];
+}
+[[nodiscard]] inline std::string_view key(RequirementKind kind) { return criterion(kind).key; }
+
+/// Requirements of one class of linkages, in the order in which they are told: each is a bit of what a cell fails.
+using RequirementKinds = std::span<const RequirementKind>;
+inline constexpr std::size_t max_requirements = 10;
+/// What a cell fails: a bit to each of them, from the lowest on.
+using FailureBits = std::uint16_t;
+inline constexpr FailureBits all_failures = (1u << max_requirements) - 1;
+
+/// Place of a kind among others; kinds.size() where it is not one of them.
+[[nodiscard]] constexpr std::size_t place_among(RequirementKinds kinds, RequirementKind kind) {
+  std::size_t place = 0;
+  while (place < kinds.size() && kinds[place] != kind) ++place;
+  return place;
+}
+
+}  // namespace linkwright

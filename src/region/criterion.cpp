@@ -1,0 +1,171 @@
+#include "linkwright/region/criterion.hpp"
+
+#include <array>
+
+#include "linkwright/core/angle.hpp"
+
+namespace linkwright {
+namespace {
+
+using Rule = Criterion::Rule;
+using Unit = Criterion::Unit;
+constexpr double unlimited = Requirements::unlimited;
+
+constexpr std::array<Criterion, requirement_kind_count> all_criteria = {{
+    {.kind = RequirementKind::types,
+     .key = "types",
+     .rule = Rule::one_of_types,
+     .unit = Unit::number,
+     .asked = &Requirements::types,
+     .name = "type"},
+    {.kind = RequirementKind::no_defects,
+     .key = "no_defects",
+     .rule = Rule::without_defects,
+     .unit = Unit::number,
+     .asked = &Requirements::no_defects,
+     .name = "no defects"},
+    {.kind = RequirementKind::min_transmission_angle,
+     .key = "min_transmission_angle_deg",
+     .rule = Rule::at_least,
+     .unit = Unit::angle,
+     .asked = &Requirements::min_transmission_angle,
+     .name = "transmission angle over the task",
+     .as_advice = "A transmission angle",
+     .of = &measures::min_transmission_angle},
+    {.kind = RequirementKind::max_link_ratio,
+     .key = "max_link_ratio",
+     .rule = Rule::at_most,
+     .unit = Unit::number,
+     .asked = &Requirements::max_link_ratio,
+     .name = "link ratio",
+     .as_advice = "A link ratio",
+     .of = &measures::link_ratio,
+     .any = unlimited},
+    {.kind = RequirementKind::max_length,
+     .key = "max_length",
+     .rule = Rule::at_most,
+     .unit = Unit::length,
+     .asked = &Requirements::max_length,
+     .name = "longest link",
+     .as_advice = "A longest link",
+     .of = &measures::longest_link,
+     .any = unlimited,
+     .has_default = true},
+    {.kind = RequirementKind::min_length,
+     .key = "min_length",
+     .rule = Rule::at_least,
+     .unit = Unit::length,
+     .asked = &Requirements::min_length,
+     .name = "shortest link",
+     .as_advice = "A shortest link",
+     .of = &measures::longest_link,
+     .per = &measures::link_ratio,
+     .has_default = true},
+    {.kind = RequirementKind::ground_pivots_within,
+     .key = "ground_pivots_within",
+     .rule = Rule::ground_inside,
+     .unit = Unit::length,
+     .asked = &Requirements::ground_pivots_within,
+     .name = "fixed pivots"},
+    {.kind = RequirementKind::moving_pivots_within,
+     .key = "moving_pivots_within",
+     .rule = Rule::moving_inside,
+     .unit = Unit::length,
+     .asked = &Requirements::moving_pivots_within,
+     .name = "moving pivots"},
+    {.kind = RequirementKind::min_link_angle,
+     .key = "min_link_angle_deg",
+     .rule = Rule::at_least,
+     .unit = Unit::angle,
+     .asked = &Requirements::min_link_angle,
+     .name = "link angles",
+     .as_advice = "Link angles",
+     .of = &measures::min_link_angle,
+     .has_default = true},
+    {.kind = RequirementKind::max_link_angle,
+     .key = "max_link_angle_deg",
+     .rule = Rule::at_most,
+     .unit = Unit::angle,
+     .asked = &Requirements::max_link_angle,
+     .name = "link angles",
+     .as_advice = "Link angles",
+     .of = &measures::max_link_angle,
+     .any = pi},
+    {.kind = RequirementKind::fixed_axes_within,
+     .key = "fixed_axes_within",
+     .rule = Rule::ground_inside,
+     .unit = Unit::angle,
+     .asked = &Requirements::fixed_axes_within,
+     .name = "fixed axes"},
+    {.kind = RequirementKind::moving_axes_within,
+     .key = "moving_axes_within",
+     .rule = Rule::moving_inside,
+     .unit = Unit::angle,
+     .asked = &Requirements::moving_axes_within,
+     .name = "moving axes"},
+    {.kind = RequirementKind::min_stroke,
+     .key = "min_stroke",
+     .rule = Rule::at_least,
+     .unit = Unit::length,
+     .asked = &Requirements::min_stroke,
+     .name = "usable length",
+     .as_advice = "A usable length",
+     .of = &measures::usable_length},
+    {.kind = RequirementKind::max_deviation,
+     .key = "max_deviation",
+     .rule = Rule::at_most,
+     .unit = Unit::length,
+     .asked = &Requirements::max_deviation,
+     .name = "deviation",
+     .as_advice = "A deviation",
+     .of = &measures::deviation,
+     .any = unlimited,
+     .lets_infinite_pass = false},  // a straight line that does not go as far as its stroke
+    {.kind = RequirementKind::max_tolerance_error,
+     .key = "max_tolerance_error",
+     .rule = Rule::at_most,
+     .unit = Unit::number,  // a length, or degrees
+     .asked = &Requirements::max_tolerance_error,
+     .name = "error by tolerances",
+     .of = &measures::tolerance_error,
+     .any = unlimited,
+     .is_of_tolerances = true},
+    {.kind = RequirementKind::min_yield,
+     .key = "min_yield",
+     .rule = Rule::at_least,
+     .unit = Unit::share,
+     .asked = &Requirements::min_yield,
+     .name = "yield",
+     .of = &measures::yield,
+     .is_of_tolerances = true},
+}};
+
+constexpr bool are_by_kind() {
+  for (std::size_t k = 0; k < all_criteria.size(); ++k)
+    if (static_cast<std::size_t>(all_criteria[k].kind) != k) return false;
+  return true;
+}
+static_assert(are_by_kind());
+
+}  // namespace
+
+std::span<const Criterion, requirement_kind_count> criteria() { return all_criteria; }
+
+double Criterion::limit(const Requirements& wanted) const {
+  if (const auto* number = std::get_if<double Requirements::*>(&asked)) return wanted.**number;
+  if (const auto* number = std::get_if<std::optional<double> Requirements::*>(&asked))
+    return (wanted.**number).value_or(any);
+  return any;
+}
+
+std::optional<PivotWindow> Criterion::window(const Requirements& wanted) const {
+  if (const auto* box = std::get_if<std::optional<Box> Requirements::*>(&asked)) return wanted.**box;
+  if (const auto* cone = std::get_if<std::optional<Cone> Requirements::*>(&asked)) return wanted.**cone;
+  return std::nullopt;
+}
+
+bool Criterion::is_asked(const Requirements& wanted) const {
+  return window(wanted) || (has_limit(wanted) && limit(wanted) != limit(Requirements{}));
+}
+
+}  // namespace linkwright
