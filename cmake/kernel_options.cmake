@@ -1,14 +1,24 @@
-# A kernel exists once per instruction set, one file each; the best one is chosen when the program runs. Only these files
-# may use more than the baseline of the architecture. They guard themselves by #if, so that they compile to nothing
-# elsewhere.
-file(GLOB kernel_sources RELATIVE "${PROJECT_SOURCE_DIR}" src/*/*kernel_scalar.cpp src/*/*kernel_baseline.cpp)
-file(GLOB avx2_sources RELATIVE "${PROJECT_SOURCE_DIR}" src/*/*kernel_avx2.cpp)
-file(GLOB avx512_sources RELATIVE "${PROJECT_SOURCE_DIR}" src/*/*kernel_avx512.cpp)
-if(CMAKE_SYSTEM_PROCESSOR MATCHES "x86_64|AMD64|amd64")
-  set_source_files_properties(${avx2_sources} PROPERTIES COMPILE_OPTIONS "-mavx2;-mfma")
-  set_source_files_properties(
-    ${avx512_sources} PROPERTIES COMPILE_OPTIONS
-                                 "-mavx512f;-mavx512dq;-mavx512bw;-mavx512vl;-mavx2;-mprefer-vector-width=512")
+# A kernel, src/<folder>/<noun>_kernel.cpp, is compiled once for each instruction set, as a file of its own; the best one is
+# chosen when the program runs. Only these files may use more than the baseline of the architecture, and they cannot be
+# compiled together with others.
+file(GLOB kernels CONFIGURE_DEPENDS RELATIVE "${PROJECT_SOURCE_DIR}/src" src/*/*_kernel.cpp)
+
+function(linkwright_compile_kernels instruction_set lanes)
+  foreach(kernel IN LISTS kernels)
+    get_filename_component(name "${kernel}" NAME_WE)
+    set(source "${PROJECT_BINARY_DIR}/generated/kernels/${name}_${instruction_set}.cpp")
+    configure_file(cmake/kernel.cpp.in "${source}" @ONLY)
+    set_source_files_properties("${source}" PROPERTIES SKIP_UNITY_BUILD_INCLUSION ON COMPILE_OPTIONS "${ARGN}")
+    target_sources(linkwright PRIVATE "${source}")
+  endforeach()
+endfunction()
+
+linkwright_compile_kernels(baseline 2)
+# In WebAssembly there is no other, and the page chooses none (src/core/kernels.hpp).
+if(NOT EMSCRIPTEN)
+  linkwright_compile_kernels(scalar 1)
 endif()
-# Nor can they be compiled together with others.
-set_source_files_properties(${kernel_sources} ${avx2_sources} ${avx512_sources} PROPERTIES SKIP_UNITY_BUILD_INCLUSION ON)
+if(CMAKE_SYSTEM_PROCESSOR MATCHES "x86_64|AMD64|amd64")
+  linkwright_compile_kernels(avx2 4 -mavx2 -mfma)
+  linkwright_compile_kernels(avx512 8 -mavx512f -mavx512dq -mavx512bw -mavx512vl -mavx2 -mprefer-vector-width=512)
+endif()

@@ -34,6 +34,3 @@ list(APPEND linkwright_not_in_webassembly ${linkwright_outline_sources})
 # Sweeps are for programs that run for hours.
 file(GLOB linkwright_sweep_sources RELATIVE "${PROJECT_SOURCE_DIR}" src/sweep/*.cpp)
 list(APPEND linkwright_not_in_webassembly ${linkwright_sweep_sources})
-# There is one instruction set, and the page chooses no other: kernels are compiled for it alone (src/core/kernels.hpp).
-file(GLOB linkwright_other_kernels RELATIVE "${PROJECT_SOURCE_DIR}" src/*/*kernel_scalar.cpp src/*/*kernel_avx*.cpp)
-list(APPEND linkwright_not_in_webassembly ${linkwright_other_kernels})
