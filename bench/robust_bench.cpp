@@ -102,7 +102,7 @@ void measure_map(benchmark::State& state, const std::string& name, bool yields) 
   problem.options.region.threads = 1;
   problem.options.measure_yields = false;
   problem.options.best = 0;
-  const Answer answer = solve(problem.task, problem.requirements, problem.options).value();
+  const Answer answer = solve(problem).value();
   const Findings& found = findings(answer);
   RegionMap map;
   const LinkageFamily& family =

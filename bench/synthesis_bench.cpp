@@ -22,7 +22,7 @@ BENCHMARK_CAPTURE(dyads, drawer_hinge, "drawer_hinge");
 // Everything that `linkwright solve` computes, with its default of 400 samples and ten linkages.
 void solve(benchmark::State& state, std::string_view name) {
   const MotionTask task = task_named(name);
-  for (auto _ : state) benchmark::DoNotOptimize(solve(task, {}, {}));
+  for (auto _ : state) benchmark::DoNotOptimize(linkwright::solve({task}));
 }
 BENCHMARK_CAPTURE(solve, landing_gear, "landing_gear")->Unit(benchmark::kMillisecond)->UseRealTime();
 BENCHMARK_CAPTURE(solve, drawer_hinge, "drawer_hinge")->Unit(benchmark::kMillisecond)->UseRealTime();

@@ -6,6 +6,7 @@
 3. include/linkwright/<folder>/<noun>.hpp has its tests in tests/<folder>/<noun>_test.cpp.
 4. Files are named snake_case; in web/src the components (.svelte) UpperCamel.
 5. What is long to compile is included by one file of the library: Eigen by src/algebra/dense.cpp.
+6. linkwright/linkwright.hpp includes every public header that the programs and the Python module include.
 
 usage: lint_tree.py [--self-test]
 """
@@ -37,6 +38,8 @@ NAMED = ("include", "src", "apps", "bindings", "tests", "bench", "fuzz", "web/sr
 FILE_NAME = re.compile(r"[a-z0-9_]+(\.(test|spec|svelte|d))?\.(cpp|hpp|py|ts)$|[A-Z][A-Za-z0-9]*\.svelte$")
 PUBLIC = Path("include/linkwright")
 PRIVATE = Path("src")
+WHOLE = PUBLIC / "linkwright.hpp"
+FACES = ("apps", "bindings/python")
 EIGEN = "src/algebra/dense.cpp"
 INCLUDE = re.compile(r'^\s*#\s*include\s*([<"])([^>"]+)[>"]')
 
@@ -100,11 +103,21 @@ def file_violations(root, base, file):
 def include_violations(root):
     for base in (PUBLIC, PRIVATE):
         for file in sorted((root / base).rglob("*.[ch]pp")):
-            yield from file_violations(root, base, file)
+            if file != root / WHOLE:
+                yield from file_violations(root, base, file)
+
+
+def whole_violations(root):
+    has = {included for _, _, included in includes_of(root / WHOLE)} if (root / WHOLE).exists() else None
+    for face in FACES if has is not None else ():
+        for file in sorted((root / face).rglob("*.[ch]pp")):
+            for number, _, included in includes_of(file):
+                if included.startswith("linkwright/") and included not in has | {"linkwright/linkwright.hpp"}:
+                    yield f'{file.relative_to(root)}:{number}: "{included}" is missing in {WHOLE}'
 
 
 def test_violations(root):
-    for header in sorted((root / PUBLIC).rglob("*.hpp")):
+    for header in sorted((root / PUBLIC).rglob("*/*.hpp")):
         noun = header.relative_to(root / PUBLIC)
         test = Path("tests") / noun.with_name(noun.stem + "_test.cpp")
         if not (root / test).exists():
@@ -120,7 +133,7 @@ def name_violations(root):
 
 
 def violations(root):
-    return [*include_violations(root), *test_violations(root), *name_violations(root)]
+    return [*include_violations(root), *whole_violations(root), *test_violations(root), *name_violations(root)]
 
 
 def self_test():
@@ -146,6 +159,10 @@ def self_test():
         ({"web/src/MyModule.ts": "", "web/src/view.svelte": "", "apps/cli/textTable.cpp": ""},
          ["web/src/MyModule.ts: files", "web/src/view.svelte: files", "apps/cli/textTable.cpp: files"]),
         (tested | {header.format("core/angle"): '#include "core/b.hpp"\n'}, ['includes other public headers as']),
+        (tested | {header.format("linkwright"): '#include "linkwright/core/angle.hpp"\n',
+                   "apps/cli/a.cpp": '#include "linkwright/core/angle.hpp"\n'}, []),
+        (tested | {header.format("linkwright"): "", "apps/cli/a.cpp": '#include "linkwright/core/angle.hpp"\n'},
+         ['a.cpp:1: "linkwright/core/angle.hpp" is missing in']),
     ]
     failures = 0
     for files, expected in cases:

@@ -19,7 +19,7 @@ Result<Answer> solve_with_progress(const Problem& problem) {
   Progress progress;
   progress.report = [&line](double done) { line.show(done); };
   progress.cancelled = Interruption::flag();
-  return solve(problem.task, problem.requirements, problem.options, progress);
+  return solve(problem, progress);
 }
 
 /// Such an answer is complete in itself wherever it was stopped.

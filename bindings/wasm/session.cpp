@@ -333,7 +333,8 @@ void write_notices(JsonWriter& json, const Answer& answer, const std::vector<Not
 }  // namespace
 
 std::string Session::best(int most) const {
-  SynthesisOptions options = problem_.options;
+  Problem usual = problem_;
+  SynthesisOptions& options = usual.options;
   options.region_samples = task().samples_for_best();
   if (!task().window_sets_axes()) options.window.reset();
   options.at.reset();
@@ -341,7 +342,7 @@ std::string Session::best(int most) const {
   options.measure_yields = false;
   constexpr int samples_of_the_best = 10'000;
   if (options.tolerances) options.tolerances->samples = std::min(options.tolerances->samples, samples_of_the_best);
-  const auto answer = solve(problem_.task, problem_.requirements, options);
+  const auto answer = solve(usual);
   return json_of([&](JsonWriter& json) {
     json.begin_object();
     json.key("linkages");

@@ -44,7 +44,7 @@ Result<ListedStudy> listed_study(std::string_view text, int linkage, const Toler
   if (!tolerances) return tolerances.errors();
   problem.options.tolerances = *tolerances;
   problem.options.region_samples = SynthesisOptions::min_samples;  // of the map only one place is looked at
-  auto solved = solve(problem.task, problem.requirements, problem.options);
+  auto solved = solve(problem);
   if (!solved) return solved.errors();
   const Findings& found = findings(*solved);
   const std::size_t place = place_in(*solved, listed->layer);

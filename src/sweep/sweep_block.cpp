@@ -132,7 +132,7 @@ std::optional<SweepRows> sweep_samples(const SweepPlan& plan, std::int64_t first
       continue;
     }
     problem->options.region.threads = 1;
-    auto answer = solve(problem->task, problem->requirements, problem->options, progress);
+    auto answer = solve(*problem, progress);
     if (progress.is_cancelled()) return std::nullopt;
     answer ? writer.put(sample, *problem, std::move(*answer)) : writer.put(sample, answer.errors());
   }

@@ -24,8 +24,10 @@ void append_new(std::vector<Error>& all, const std::vector<Error>& more) {
 
 }  // namespace
 
-Result<Answer> solve(const Task& task, const Requirements& requirements, const SynthesisOptions& options,
-                     const Progress& progress) {
+Result<Answer> solve(const Problem& problem, const Progress& progress) {
+  const Task& task = problem.task;
+  const Requirements& requirements = problem.requirements;
+  const SynthesisOptions& options = problem.options;
   std::vector<Error> mistakes = mistakes_in(task);
   append(mistakes, mistakes_in(requirements));
   append(mistakes, mistakes_in(requirements, linkages(task)));

@@ -25,7 +25,7 @@ Problem loader() { return testing::example("loader_bucket_chain.json", 40); }
 std::int64_t meeting(Problem problem, int samples) {
   problem.options.region_samples = samples;
   problem.options.best = 0;
-  return findings(*solve(problem.task, problem.requirements, problem.options)).meeting_requirements;
+  return findings(*solve(problem)).meeting_requirements;
 }
 
 TEST(Halo, CountsWhatSolvingEachMovedTaskFinds) {

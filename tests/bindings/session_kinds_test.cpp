@@ -35,7 +35,7 @@ constexpr std::string_view loader =
 
 std::int64_t meeting_requirements(std::string_view text) {
   const auto problem = read_problem(text);
-  const auto answer = solve(problem->task, problem->requirements, problem->options);
+  const auto answer = solve(*problem);
   return findings(*answer).meeting_requirements;
 }
 

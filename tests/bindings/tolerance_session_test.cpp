@@ -107,7 +107,7 @@ TEST_P(EachKindOfTolerances, YieldsComeUntilAllAreThere) {
   EXPECT_EQ(state["done"], wanted);
   explored.explore(measures::yield.key);
   const auto problem = read_problem(with_tolerances(GetParam().example, GetParam().tolerances).dump());
-  const auto answer = solve(problem->task, problem->requirements, problem->options);
+  const auto answer = solve(*problem);
   const auto cells = explored.passing();
   for (std::size_t k = 0; k < cells.size(); k += 1 + cells.size() / 7) {
     const double exact = findings(*answer).added.yield->at(explored.place(cells[k])).value();

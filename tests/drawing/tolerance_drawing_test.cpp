@@ -17,7 +17,7 @@ ToleranceStudy study_of(const char* example, const Tolerances& tolerances) {
   Problem problem = testing::example(std::string(example) + ".json", 120);
   problem.options.tolerances = tolerances;
   problem.options.best = 1;
-  const Answer answer = solve(problem.task, problem.requirements, problem.options).value();
+  const Answer answer = solve(problem).value();
   return tolerance_study(problem, answer, 0);
 }
 

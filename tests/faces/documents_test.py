@@ -23,6 +23,7 @@ LEFT_OUT = "…"  # a line of its own: the program prints more here
 BLOCK = re.compile(r"^```(\w*)\n(.*?)^```$", re.MULTILINE | re.DOTALL)
 LINK = re.compile(r"\]\(([^)\s]+)\)|(?:src|href)=\"([^\"]+)\"")
 LANGUAGES = {"console", "json", "cpp", "python", "cmake", "sh", "text", ""}  # the last two are not code
+LIBRARY = ROOT / "build/release/liblinkwright.a"
 PYTHON = ROOT / "build/release/python"  # what belongs on PYTHONPATH, where it was built
 ON_CLUSTERS = {"sbatch"}  # shown, but not on every machine
 
@@ -145,6 +146,24 @@ class Documents(FaceTest):
             compiled = subprocess.run(["g++", "-std=c++20", "-Wall", "-Wextra", "-fsyntax-only", f"-I{ROOT}/include", "-xc++", "-"],
                                       input=snippet.encode(), capture_output=True, check=False)
             self.assertEqual(compiled.returncode, 0, f"{document}: {compiled.stderr.decode()}")
+
+    @unittest.skipUnless(shutil.which("g++") and LIBRARY.exists(), "no g++, or the library is not built")
+    def test_the_readme_s_program_lists_what_the_command_lists(self):
+        (snippet,) = blocks("README.md", "cpp")
+        self.assertLessEqual(len(snippet.splitlines()), 15)
+        libraries = ["-lfmt", "-ltbb", "-lz", "-lpugixml", "-ldl"]
+        compiled = subprocess.run(["g++", "-std=c++20", f"-I{ROOT}/include", "-xc++", "-", "-xnone", LIBRARY, *libraries, "-oreadme"],
+                                  input=snippet.encode(), cwd=self.folder, capture_output=True, check=False)
+        self.assertEqual(compiled.returncode, 0, compiled.stderr.decode())
+        printed = subprocess.run([self.folder / "readme"], cwd=self.folder, capture_output=True, text=True, check=True).stdout
+        places = re.findall(r"\{(-?\d+), (-?\d+)\}, (?:radians\()?(-?\d+)", snippet)
+        poses = [{"x": int(x), "y": int(y), "theta_deg": int(theta)} for x, y, theta in places]
+        problem = {"linkwright": 1, "task": {"kind": "motion", "mechanism": "four_bar", "poses": poses},
+                   "requirements": {"min_transmission_angle_deg": 30, "max_length": 450}}
+        _, output, _ = run("solve", self.write("readme.json", json.dumps(problem)), "-o", "-")
+        types = [linkage["type"] for linkage in json.loads(output)["linkages"]]
+        self.assertEqual([line.split()[0] for line in printed.splitlines()], types)
+        self.assertTrue(xml.etree.ElementTree.parse(self.folder / "tailgate.svg").getroot().tag.endswith("svg"))
 
     @unittest.skipUnless(list(PYTHON.glob("linkwright/_linkwright*.so")), "the Python module is not built")
     def test_python_runs_and_prints_what_is_shown(self):

@@ -19,7 +19,7 @@ TEST_P(EachKindOfResult, IsAskedAgainAtThePlaceOfALinkage) {
   Problem problem = testing::example(std::string(GetParam()) + ".json", 160);
   problem.options.effort = 4000;
   problem.options.best = 3;
-  const auto answer = solve(problem.task, problem.requirements, problem.options);
+  const auto answer = solve(problem);
   const std::string result = write_result(problem, *answer, false);
   const json listed = json::parse(result)["linkages"];
   ASSERT_FALSE(listed.empty());
@@ -27,7 +27,7 @@ TEST_P(EachKindOfResult, IsAskedAgainAtThePlaceOfALinkage) {
     const auto asked = read_listed_problem(result, static_cast<int>(i) + 1);
     ASSERT_TRUE(asked.ok()) << asked.errors().front().message;
     const Problem& again = asked->problem;
-    const auto found = solve(again.task, again.requirements, again.options);
+    const auto found = solve(again);
     ASSERT_TRUE(found.ok()) << found.errors().front().message;
     json same;
     const json there_is = json::parse(write_result(again, *found, false));

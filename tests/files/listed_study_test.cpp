@@ -11,7 +11,7 @@ namespace {
 
 std::string result_of(const char* example) {
   const Problem problem = testing::example(example, 60);
-  return write_result(problem, *solve(problem.task, problem.requirements, problem.options), false);
+  return write_result(problem, *solve(problem), false);
 }
 
 TEST(ListedStudy, OfTwiceTheToleranceIsTwiceTheError) {

@@ -28,7 +28,7 @@ struct Solved {
   Solved() {
     problem.options.region_samples = 60;
     problem.options.best = 2;
-    auto found = solve(problem.task, problem.requirements, problem.options);
+    auto found = solve(problem);
     EXPECT_TRUE(found.ok());
     answer = std::move(*found);
     EXPECT_EQ(six_bars().size(), 2u);
@@ -140,7 +140,7 @@ TEST(SixBarFile, ALinkOnALinkIsWrittenAndDrawn) {
     problem.requirements.no_defects = false;
     problem.options.region_samples = 32;
     problem.options.best = 1;
-    const auto solution = solve(problem.task, problem.requirements, problem.options);
+    const auto solution = solve(problem);
     ASSERT_TRUE(solution.ok());
     ASSERT_EQ(linkage_count(*solution), 1u);
     const std::string result = write_result(problem, *solution, false);
@@ -157,7 +157,7 @@ TEST(SixBarFile, ALinkOnALinkIsWrittenAndDrawn) {
 TEST(SixBarFile, SearchIsReportedEvenWithoutAFind) {
   Problem problem = example("loader_bucket");
   problem.options.effort = 100;
-  const auto solution = solve(problem.task, problem.requirements, problem.options);
+  const auto solution = solve(problem);
   ASSERT_TRUE(solution.ok());
   const auto result = nlohmann::json::parse(write_result(problem, *solution, true));
   EXPECT_TRUE(result["region"].is_null());

@@ -26,7 +26,7 @@ struct Solved {
     problem.task = task;
     problem.options.region_samples = 60;
     problem.options.best = 2;
-    auto found = solve(problem.task, problem.requirements, problem.options);
+    auto found = solve(problem);
     EXPECT_TRUE(found.ok());
     answer = std::move(found).value();
     EXPECT_EQ(linkages().size(), 2u);

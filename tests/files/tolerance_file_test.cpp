@@ -40,7 +40,7 @@ TEST(ToleranceFile, ReadsWhatItWrites) {
 
 TEST(ToleranceFile, HasTheMembersOfTheContract) {
   const Problem problem = tailgate_with(R"({"length": 0.5, "limit": {"position": 2}, "cost": {"exponent": 1}})");
-  const auto answer = solve(problem.task, problem.requirements, problem.options);
+  const auto answer = solve(problem);
   const json result = json::parse(write_result(problem, *answer, true));
   EXPECT_TRUE(result["region"]["properties"].contains("tolerance_error"));
   EXPECT_EQ(result["problem"]["tolerances"]["turning_length"], result["characteristic_length"]) << "as used";
@@ -60,7 +60,7 @@ TEST(ToleranceFile, HasTheMembersOfTheContract) {
 
 TEST(ToleranceFile, AStudyIsWhatTheResultSays) {
   const Problem problem = tailgate_with(R"({"length": 0.5, "seed": 5})");
-  const auto answer = solve(problem.task, problem.requirements, problem.options);
+  const auto answer = solve(problem);
   const json result = json::parse(write_result(problem, *answer, false));
   const json study = json::parse(write_tolerance_study(tolerance_study(problem, *answer, 1)));
   EXPECT_EQ(study["tolerance"], result["linkages"][1]["tolerance"]);

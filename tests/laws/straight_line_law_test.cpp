@@ -270,7 +270,7 @@ TEST(StraightLineLaw, NoCellIsBetterThanTheBestThatIsListed) {
     problem.options.objective = objectives[static_cast<std::size_t>(uniform(random, 0, 4))];
     problem.options.region_samples = 40;
     problem.options.best = 3;
-    const auto solved = solve(problem.task, problem.requirements, problem.options);
+    const auto solved = solve(problem);
     ASSERT_TRUE(solved);
     const auto& answer = std::get<StraightLineAnswer>(*solved);
     for (const StraightLineSolution& found : answer.linkages) {

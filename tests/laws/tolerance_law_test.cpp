@@ -106,7 +106,7 @@ struct Told {
       : problem(testing::example(example, region_samples)) {
     problem.options.best = 3;
     problem.options.tolerances = Tolerances{.length = LengthTolerances::all(half), .driver = radians(driver)};
-    const Answer answer = solve(problem.task, problem.requirements, problem.options).value();
+    const Answer answer = solve(problem).value();
     result = json::parse(write_result(problem, answer, false));
     EXPECT_FALSE(result["linkages"].empty());
   }

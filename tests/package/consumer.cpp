@@ -2,12 +2,12 @@
 
 #include <iostream>
 
-#include "linkwright/analysis/linkage_type.hpp"
-#include "linkwright/synthesis/solve.hpp"
+#include "linkwright/linkwright.hpp"
 
 int main() {
-  const auto type = linkwright::linkage_type({.ground = 4, .input = 1, .coupler = 3, .output = 3});
-  const auto nothing = linkwright::solve(linkwright::MotionTask{}, {}, {});
+  const auto type =
+      linkwright::linkage_type(linkwright::LinkLengths{.ground = 4, .input = 1, .coupler = 3, .output = 3});
+  const auto nothing = linkwright::solve({linkwright::MotionTask{}});
   std::cout << linkwright::name(type) << '\n';
   return type == linkwright::LinkageType::crank_rocker && !nothing.ok() ? 0 : 1;
 }

@@ -123,7 +123,7 @@ TEST(RelaxedPosition, CountsWhatMeetsTheRequirements) {
   options.region_samples = coarse().region_samples;
   options.best = 0;
   for (const RelaxedPosition& relaxed : drop_one_position(task, {}, coarse())) {
-    const auto four = solve(relaxed_task(task, relaxed.pose).task, same_length, options);
+    const auto four = solve({relaxed_task(task, relaxed.pose).task, same_length, options});
     ASSERT_TRUE(four.ok());
     EXPECT_EQ(relaxed.meeting, findings(*four).meeting_requirements) << relaxed.pose;
     EXPECT_GT(relaxed.meeting, 0);

@@ -234,9 +234,9 @@ TEST(SixBarSynthesis, SaysTheSameWhereNoneIsAskedFor) {
   options.best = 0;
   options.region_samples = 80;
   Requirements wanted;
-  EXPECT_EQ(findings(*solve(task_with_chain(1), wanted, options)).reason.code, "solved");
+  EXPECT_EQ(findings(*solve({task_with_chain(1), wanted, options})).reason.code, "solved");
   wanted.max_length = 1e-3;
-  EXPECT_EQ(findings(*solve(task_with_chain(1), wanted, options)).reason.code, "none_left");
+  EXPECT_EQ(findings(*solve({task_with_chain(1), wanted, options})).reason.code, "none_left");
 }
 
 TEST(SixBarSynthesis, SaysWhyNothingIsFound) {

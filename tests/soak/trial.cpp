@@ -40,7 +40,7 @@ std::optional<double> seconds_to_stop(const Problem& problem, double cancel_afte
   });
   Progress progress;
   progress.cancelled = &cancelled;
-  const auto solution = solve(problem.task, problem.requirements, problem.options, progress);
+  const auto solution = solve(problem, progress);
   const bool in_time = cancelled;
   done = true;
   canceller.join();
@@ -74,7 +74,7 @@ Trial tried(std::string_view problem_text, std::optional<double> cancel_after, s
   if (cancel_after) check_cancelling(*problem, *cancel_after, trial);
   problem->options.region.threads = 1;  // so that times are those of the work
   const double start = processor_seconds();
-  const auto solution = solve(problem->task, problem->requirements, problem->options);
+  const auto solution = solve(*problem);
   trial.solve_seconds = processor_seconds() - start;
   if (!solution) {
     trial.outcome = "refused";

@@ -90,7 +90,7 @@ bool stands_there(const LinkageFamily& family, const Requirements& wanted, const
 template <class KindAnswer>
 bool is_confirmed(Problem problem, const Known& known) {
   problem.options.at = known.place;
-  const auto there = solve(problem.task, problem.requirements, problem.options);
+  const auto there = solve(problem);
   if (!there) return false;
   const auto& linkages = std::get<KindAnswer>(*there).linkages;
   return !linkages.empty() && linkages.front().verified_by_driving;
@@ -110,7 +110,7 @@ std::vector<std::string> wrongs_of_kind(const Problem& problem, const KindAnswer
   put_windows(within.requirements, *known, &family->linkages() == &spherical_linkages, draw);
   within.options.pareto.reset();
   if (!stands_there(*family, within.requirements, *known)) return {};
-  const auto again = solve(within.task, within.requirements, within.options);
+  const auto again = solve(within);
   if (!again) return {"with windows it is not solved: " + again.errors().front().message};
   const Findings& found = findings(*again);
   if (linkage_count(*again) > 0 || found.left_out > 0 || found.reason.code == "none_reaches") return {};

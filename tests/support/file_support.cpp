@@ -100,7 +100,7 @@ Problem problem_of(const std::vector<std::array<double, 3>>& poses) {
 }
 
 Answer answer_of(const Problem& problem) {
-  auto solved = solve(problem.task, problem.requirements, problem.options);
+  auto solved = solve(problem);
   EXPECT_TRUE(solved.ok());
   return std::move(solved).value();
 }

@@ -12,7 +12,7 @@ const std::vector<AnyStoredLinkage>& stored_linkages_of_examples() {
     for (const char* name :
          {"tailgate", "latch", "folding_wing", "loader_bucket_chain", "straight_luffing_crane", "log_generator"}) {
       const Problem problem = example(std::string(name) + ".json", 60);
-      const auto answer = solve(problem.task, problem.requirements, problem.options);
+      const auto answer = solve(problem);
       auto linkages = stored_linkages(problem, answer.value());
       linkages.resize(std::min<std::size_t>(linkages.size(), 3));
       for (std::size_t k = 0; k < linkages.size(); ++k) {

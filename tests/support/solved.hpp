@@ -10,7 +10,7 @@ namespace linkwright::testing {
 /// The answer that a task without mistakes has.
 template <class KindAnswer, class KindTask>
 KindAnswer solved_as(const KindTask& task, const Requirements& wanted, const SynthesisOptions& options) {
-  auto answer = solve(task, wanted, options);
+  auto answer = solve({task, wanted, options});
   EXPECT_TRUE(answer.ok());
   return std::get<KindAnswer>(std::move(answer).value());
 }

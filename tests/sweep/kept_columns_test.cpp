@@ -17,7 +17,7 @@ void expect_members(const std::string& example) {
   auto problem = read_problem_file(std::filesystem::path(LINKWRIGHT_EXAMPLES_DIR) / (example + ".json"));
   ASSERT_TRUE(problem.ok()) << example;
   problem->options.region_samples = std::min(problem->options.region_samples, 100);
-  auto answer = solve(problem->task, problem->requirements, problem->options);
+  auto answer = solve(*problem);
   ASSERT_TRUE(answer.ok()) << example;
   const auto records = linkage_records(std::move(*answer));
   ASSERT_FALSE(records.empty()) << example;

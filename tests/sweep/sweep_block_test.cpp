@@ -42,7 +42,7 @@ TEST(SweepBlock, NumbersAreThoseOfSolve) {
   for (std::int64_t i = 0; i < plan.samples(); ++i) {
     const auto problem = plan.problem(i);
     if (!problem) continue;
-    const auto answer = solve(problem->task, problem->requirements, problem->options);
+    const auto answer = solve(*problem);
     for (const FourBarSolution& found : std::get<FunctionAnswer>(*answer).linkages) {
       EXPECT_EQ(number<std::int64_t>(*rows, table, 0, row), i);
       EXPECT_EQ(number<double>(*rows, table, column(plan, table, "lengths.coupler"), row), found.lengths.coupler);

@@ -257,7 +257,7 @@ TEST(SolveMotion, ReportsMistakesOfAllThreeParts) {
   SynthesisOptions options;
   options.region_samples = 7;
   options.best = -1;
-  const auto result = solve({}, wanted, options);
+  const auto result = solve({{}, wanted, options});
   ASSERT_FALSE(result.ok());
   EXPECT_EQ(result.errors().size(), 4u);
 }
@@ -275,14 +275,14 @@ TEST(SolveMotion, WindowSamplesAPartOfTheMap) {
     EXPECT_TRUE(linkage.output.coordinate >= 1.0 && linkage.output.coordinate <= 1.2);
   }
   options.window = MapWindow{{0.2, 0.1}, {0, 1}};
-  EXPECT_FALSE(solve(tailgate_task(), {}, options).ok());
+  EXPECT_FALSE(solve({tailgate_task(), {}, options}).ok());
 }
 
 TEST(SolveMotion, CanBeStopped) {
   std::atomic<bool> stop{true};
   Progress progress;
   progress.cancelled = &stop;
-  const auto result = solve(tailgate_task(), {}, {}, progress);
+  const auto result = solve({tailgate_task()}, progress);
   ASSERT_FALSE(result.ok());
   EXPECT_EQ(result.errors()[0].code, "cancelled");
 }
@@ -294,7 +294,7 @@ TEST(SolveMotion, TellsHowFarItIs) {
     EXPECT_GE(done, last);
     last = done;
   };
-  ASSERT_TRUE(solve(tailgate_task(), {}, {}, progress).ok());
+  ASSERT_TRUE(solve({tailgate_task()}, progress).ok());
   EXPECT_EQ(last, 1);
 }
 
@@ -307,12 +307,12 @@ TEST(SolveMotion, FivePositionsAreSolvedWithoutSteppingBack) {
   std::atomic<bool> stop = false;
   Progress progress;
   progress.report = [&](double done) { reports.push_back(done); };
-  ASSERT_TRUE(solve(task, {}, {}, progress).ok());
+  ASSERT_TRUE(solve({task}, progress).ok());
   EXPECT_TRUE(std::is_sorted(reports.begin(), reports.end()));
   EXPECT_EQ(reports.back(), 1);
   progress.cancelled = &stop;
   progress.report = [&](double done) { stop = done > 0.55; };
-  const auto stopped = solve(task, {}, {}, progress);
+  const auto stopped = solve({task}, progress);
   ASSERT_FALSE(stopped.ok());
   EXPECT_EQ(stopped.errors()[0].code, "cancelled");
 }
@@ -382,7 +382,7 @@ std::vector<AnglePair> pairs_with_rate() {
 
 template <class KindAnswer, class KindTask>
 void expect_rates_met(const KindTask& task) {
-  const auto answer = solve(task, {}, {});
+  const auto answer = solve({task});
   ASSERT_TRUE(answer.ok());
   const auto& linkages = std::get<KindAnswer>(*answer).linkages;
   ASSERT_FALSE(linkages.empty());
@@ -572,7 +572,7 @@ TEST(SolveSphericalFunction, RanksByStructuralErrorWhereAsked) {
   for (const SphericalSolution& found : usual.linkages)
     EXPECT_GE(found.function->max_structural_error.value_or(10) + 1e-9,
               *answer.linkages[0].function->max_structural_error);
-  const auto refused = solve(testing::spherical_function_case("stapler-function-4"), {}, options);
+  const auto refused = solve({testing::spherical_function_case("stapler-function-4"), {}, options});
   ASSERT_FALSE(refused.ok());
   EXPECT_EQ(refused.errors()[0].code, "objective_of_function");
 }
@@ -588,7 +588,7 @@ TEST(SolveSphericalFunction, FivePairsListEveryLinkageWhateverItsDefects) {
 
 TEST(SolveSixBars, LooksCloserAtWindowsForHingesWhereTheMapShowsLittle) {
   Problem problem = testing::example("loader_bucket_chain.json", 300);
-  const auto solved_now = [&] { return solve(problem.task, problem.requirements, problem.options).value(); };
+  const auto solved_now = [&] { return solve(problem).value(); };
   const Answer of_many = solved_now();
   const Findings& many = findings(of_many);
   EXPECT_GT(many.meeting_requirements, 40);
@@ -603,18 +603,18 @@ TEST(SolveSixBars, LooksCloserAtWindowsForHingesWhereTheMapShowsLittle) {
 TEST(SolveSixBars, LooksAtAWindowOnly) {
   Problem problem = testing::example("loader_bucket_chain.json", 160);
   problem.options.window = MapWindow{{0.2, 0.45}, {0.1, 0.4}};
-  const Answer answer = solve(problem.task, problem.requirements, problem.options).value();
+  const Answer answer = solve(problem).value();
   const auto& six_bars = std::get<SixBarAnswer>(answer);
   EXPECT_GT(six_bars.region.input_coordinates().front(), 0.2);
   EXPECT_LT(six_bars.region.output_coordinates().back(), 0.4);
   for (const SixBarSolution& found : six_bars.linkages)
     EXPECT_TRUE(is_within(*six_bars.chain, problem.options.window, six_bars.chain->point_of(found.member)));
   problem.options.window.reset();
-  const Answer whole = solve(problem.task, problem.requirements, problem.options).value();
+  const Answer whole = solve(problem).value();
   ASSERT_FALSE(std::get<SixBarAnswer>(whole).linkages.empty());
   const MapPoint best = six_bars.chain->point_of(std::get<SixBarAnswer>(whole).linkages.front().member);
   problem.options.window = MapWindow{{best.input - 0.02, best.input + 0.02}, {best.output - 0.02, best.output + 0.02}};
-  const Answer near = solve(problem.task, problem.requirements, problem.options).value();
+  const Answer near = solve(problem).value();
   ASSERT_FALSE(std::get<SixBarAnswer>(near).linkages.empty());
   EXPECT_GE(std::get<SixBarAnswer>(near).linkages.front().rating.min_transmission_angle(),
             0.99 * std::get<SixBarAnswer>(whole).linkages.front().rating.min_transmission_angle());
@@ -625,7 +625,7 @@ TEST_F(SolveAtAPlace, OfASearchIsRefused) {
   task.poses = tailgate_task().poses;
   task.box = Box{-500, 500, -500, 500};
   options.at = MapPoint{0.5, 0.5};
-  const auto refused = solve(task, {}, options);
+  const auto refused = solve({task, {}, options});
   ASSERT_FALSE(refused.ok());
   EXPECT_EQ(refused.errors()[0].code, "place_of_search");
   EXPECT_EQ(refused.errors()[0].place, "options.at");

@@ -33,7 +33,7 @@ Problem problem_of(const std::string& example) {
   return problem;
 }
 
-Answer solved(const Problem& problem) { return solve(problem.task, problem.requirements, problem.options).value(); }
+Answer solved(const Problem& problem) { return solve(problem).value(); }
 
 class EachKind : public ::testing::TestWithParam<const char*> {};
 

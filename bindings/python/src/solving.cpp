@@ -102,7 +102,7 @@ SharedSolved solve(const Problem& problem, const py::object& report,
     const py::gil_scoped_release free;
     WatchedWork work([&] {
       try {
-        found.emplace(linkwright::solve(problem.task, problem.requirements, problem.options, progress));
+        found.emplace(linkwright::solve(problem, progress));
       } catch (...) {
         failed = std::current_exception();
       }

@@ -12,11 +12,11 @@ namespace linkwright {
 
 /// What is asked: a task, what the user wants of its linkages, and how to look for them. Angles in radians.
 struct Problem {
-  std::string title;
-  std::string length_unit;  ///< echoed, never converted
   Task task;
   Requirements requirements;
   SynthesisOptions options;
+  std::string title;
+  std::string length_unit;     ///< echoed, never converted
   std::vector<Point> outline;  ///< of the guided body, in the moving frame: for pictures; empty when absent
   std::string
       view;  ///< all else of the workbench's own object, as JSON text on one line, never read; empty when absent
