@@ -49,7 +49,7 @@ def place_of(path):
         return f"formats/{name.removesuffix('.schema.json')}.md"
     if folder == "docs" or folder.startswith("docs/"):
         return path.removeprefix("docs/")
-    if path.startswith("include/linkwright/") and name.endswith(".hpp"):
+    if folder.startswith("include/linkwright/") and name.endswith(".hpp"):
         return f"cpp/{folder.removeprefix('include/linkwright/')}.md#{cpp_pages.anchor_of(name)}"
     return None
 
