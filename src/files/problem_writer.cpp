@@ -25,7 +25,7 @@ void write_types(JsonWriter& json, const std::vector<LinkageType>& types) {
   json.end_list();
 }
 
-// What is not limited is null; of angles that are no more than a number, too.
+// What is not limited is null; an angle that is always given is a number all the same.
 void write_number(JsonWriter& json, const Criterion& asked, const Requirements& wanted) {
   if (asked.is_of_tolerances && !asked.has_limit(wanted)) return;
   const auto* open = std::get_if<std::optional<double> Requirements::*>(&asked.asked);
@@ -33,7 +33,8 @@ void write_number(JsonWriter& json, const Criterion& asked, const Requirements& 
   const double limit = asked.limit(wanted);
   if (!asked.is_angle()) return json.member(asked.key, limit);
   json.key(asked.key);
-  open&& limit == asked.any ? json.null() : json.value(degrees_for_files(limit));
+  const bool is_free = open != nullptr && limit == asked.any;
+  is_free ? json.null() : json.value(degrees_for_files(limit));
 }
 
 void write_criterion(JsonWriter& json, const Criterion& asked, const Requirements& wanted) {
