@@ -66,8 +66,7 @@ class CellCounter {
     one_thread.threads = 1;
     family->classify(map_, samples(Side::input), samples(Side::output), wanted.respect_direction, one_thread);
     if (problem.options.tolerances && wanted.max_tolerance_error < Requirements::unlimited)
-      tolerance_measures(problem.task, *family,
-                         *with_turning_length(problem.options, task->about().characteristic_length).tolerances)
+      tolerance_measures(*family, *with_turning_length(problem.options, task->about().characteristic_length).tolerances)
           .add_to(map_, *family, wanted, no_yields);
     const RequirementFilter filter = filter_of(*family, map_, wanted);
     std::uint32_t passing = 0;

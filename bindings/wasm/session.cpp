@@ -92,7 +92,7 @@ void Session::set_tolerances(bool task_is_new) {
   if (!task_is_new && options.tolerances == tolerances_) return;
   tolerances_ = options.tolerances;
   const AddedMeasures before = std::move(added_);
-  added_ = tolerances_ && family() ? tolerance_measures(problem_.task, *family(), *tolerances_) : AddedMeasures{};
+  added_ = tolerances_ && family() ? tolerance_measures(*family(), *tolerances_) : AddedMeasures{};
   if ((before.tolerance_error && !added_.tolerance_error) || (before.yield && !added_.yield))
     mapped_.reset();  // its map has columns that nothing asks for any more
   tolerances_measured_ = false;
@@ -266,8 +266,9 @@ LiveReply Session::live(double input_tau, double output_tau) {
 std::vector<std::uint32_t> Session::halo(const HaloRequest& request) const { return wasm::halo(problem_, request); }
 
 std::optional<LinkageOutput> Session::output_at(MapPoint place) const {
-  if (!family()) return std::nullopt;
-  return outputs_of(problem_.task, *family(), tolerances_->turning_length.value_or(0))(place);
+  auto output = family() ? family()->output(place) : std::nullopt;
+  if (!output) return std::nullopt;
+  return with_turning_length(*std::move(output), tolerances_->turning_length.value_or(0));
 }
 
 bool Session::fails_yield(MapPoint place) const {

@@ -44,17 +44,19 @@ std::vector<std::optional<SixBarFamily::WithFirst>> first_links(const SixBarFami
 }  // namespace
 
 ChainFamily::ChainFamily(const ThreeLinkChain& chain, std::array<BodyPair, 2> added,
-                         std::array<BodyPositions, 4> bodies)
-    : ChainFamily(chain, SixBarFamily(chain, added, bodies)) {}
+                         std::array<BodyPositions, 4> bodies, const Pose& reference)
+    : ChainFamily(chain, SixBarFamily(chain, added, bodies), reference) {}
 
-ChainFamily::ChainFamily(const ThreeLinkChain& chain, SixBarFamily six_bars)
+ChainFamily::ChainFamily(const ThreeLinkChain& chain, SixBarFamily six_bars, const Pose& reference)
     : LinkageFamily({AxisQuantity::curve_coordinate, six_bars.first().curve->branches()}, second_axis(six_bars)),
       chain_(chain),
-      six_bars_(std::move(six_bars)) {}
+      six_bars_(std::move(six_bars)),
+      reference_(reference) {}
 
 std::shared_ptr<const ChainFamily> ChainFamily::of(const SixBarTask& task) {
   const auto bodies = task.chain ? chain_positions(task.poses, *task.chain) : std::nullopt;
-  return bodies ? std::make_shared<ChainFamily>(*task.chain, task.added, *bodies) : nullptr;
+  if (!bodies) return nullptr;
+  return std::make_shared<ChainFamily>(*task.chain, task.added, *bodies, task.poses.front().pose);
 }
 
 const AddedLinks* ChainFamily::links(Side side) const {
@@ -78,12 +80,31 @@ std::vector<double> ChainFamily::samples(Side side, int count, Spacing /*spacing
   return coordinates;
 }
 
-MapPivots ChainFamily::pivots(const RegionMap& map) const {
-  const auto of_cell = [this, &map, links = first_links(six_bars_, map.input_coordinates(), map.threads())](
-                           std::size_t row, std::size_t column) -> std::optional<Pivots> {
+std::optional<LinkageOutput> ChainFamily::output(MapPoint place) const {
+  const auto found = member(place);
+  return found ? std::optional(output_of(*found, reference_)) : std::nullopt;
+}
+
+std::function<std::optional<SixBarMember>(std::size_t row, std::size_t column)> ChainFamily::members_of(
+    const RegionMap& map) const {
+  return [this, &map, links = first_links(six_bars_, map.input_coordinates(), map.threads())](
+             std::size_t row, std::size_t column) -> std::optional<SixBarMember> {
     const auto& first = links[row];
-    const auto member =
-        first ? six_bars_.member(*first, six_bars_.second_tau(*first, map.output_coordinates()[column])) : std::nullopt;
+    if (!first) return std::nullopt;
+    return six_bars_.member(*first, six_bars_.second_tau(*first, map.output_coordinates()[column]));
+  };
+}
+
+LinkageFamily::OutputOfCells ChainFamily::outputs_of(const RegionMap& map) const {
+  return [this, members = members_of(map)](std::size_t row, std::size_t column) -> std::optional<LinkageOutput> {
+    const auto found = members(row, column);
+    return found ? std::optional(output_of(*found, reference_)) : std::nullopt;
+  };
+}
+
+MapPivots ChainFamily::pivots(const RegionMap& map) const {
+  const auto of_cell = [members = members_of(map)](std::size_t row, std::size_t column) -> std::optional<Pivots> {
+    const auto member = members(row, column);
     if (!member) return std::nullopt;
     Pivots pivots;
     for (const SixBarJoint& joint : member->six_bar.joints)

@@ -6,6 +6,7 @@
 
 #include "linkwright/core/tolerance.hpp"
 #include "linkwright/planar/four_bar_map.hpp"
+#include "planar/four_bar_cells.hpp"
 #include "planar/length_check.hpp"
 
 namespace linkwright {
@@ -53,6 +54,23 @@ MapPivots FourBarFamily::pivots(const RegionMap& map) const {
 FourBarFamily::DyadPairsOfCells FourBarFamily::dyad_pairs_of_cells(std::span<const double> input,
                                                                    std::span<const double> output) const {
   return [this, input, output](std::size_t row, std::size_t column) { return dyad_pair({input[row], output[column]}); };
+}
+
+std::optional<LinkageOutput> FourBarFamily::output(MapPoint place) const {
+  const auto links = dyad_pair(place);
+  const auto bars = links ? four_bar_of(*links) : std::nullopt;
+  if (!bars) return std::nullopt;
+  return output_of(place, {frame().to_user(bars->input_center), frame().to_user(bars->input_circle),
+                           frame().to_user(bars->output_center), frame().to_user(bars->output_circle)});
+}
+
+LinkageOutput FourBarFamily::output_of(MapPoint place, const FourBar& bars) const {
+  return pose_output(bars, user_poses(place, bars));
+}
+
+// All of its linkages visit the same poses.
+std::shared_ptr<const FourBarCells> FourBarFamily::four_bar_cells(const RegionMap& map) const {
+  return std::make_shared<const FourBarCells>(*this, map, working_poses({}, {}));
 }
 
 MotionFamily::MotionFamily(WorkingFrame frame, std::vector<PrescribedPose> poses, MapAxis input, MapAxis output)

@@ -8,6 +8,7 @@
 #include "linkwright/core/parallel.hpp"
 #include "linkwright/core/tolerance.hpp"
 #include "linkwright/planar/function_linkage.hpp"
+#include "planar/four_bar_cells.hpp"
 
 namespace linkwright {
 namespace {
@@ -118,6 +119,17 @@ std::vector<PrescribedPose> FunctionFamily::user_poses(MapPoint place, const Fou
 
 std::vector<PrescribedPose> FunctionFamily::working_poses(MapPoint place, const FourBar& bars) const {
   return coupler_poses(bars, columns_->pairs_at(place.output));
+}
+
+LinkageOutput FunctionFamily::output_of(MapPoint place, const FourBar& bars) const {
+  return angle_output(bars, user_poses(place, bars));
+}
+
+// The free parameter runs along the columns.
+std::shared_ptr<const FourBarCells> FunctionFamily::four_bar_cells(const RegionMap& map) const {
+  std::vector<std::vector<AnglePair>> pairs;
+  for (const double coordinate : map.output_coordinates()) pairs.push_back(task_at({0, coordinate}).pairs);
+  return std::make_shared<const FourBarCells>(*this, map, pairs);
 }
 
 double FunctionFamily::axis_value(Side side, double tau) const {

@@ -69,6 +69,10 @@ BodyPositions positions_of_link(const std::array<Point, 2>& hinges, const BodyPo
   return link;
 }
 
+SixBarOutput output_of(const SixBarMember& member, const Pose& reference) {
+  return {member.six_bar, {member.turns.begin(), member.turns.end()}, reference, 0};
+}
+
 SixBarMember six_bar_member(const ThreeLinkChain& chain, std::array<BodyPair, 2> added,
                             const std::array<BodyPositions, 4>& bodies, const std::array<Point, 2>& hinges_4,
                             const BodyPositions& link_4, const std::array<Point, 2>& hinges_5) {

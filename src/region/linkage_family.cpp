@@ -29,6 +29,15 @@ std::vector<double> samples_within(const LinkageFamily& family, Side side, const
   return coordinates;
 }
 
+LinkageFamily::OutputOfCells LinkageFamily::outputs_of(const RegionMap& map) const {
+  return [this, &map](std::size_t row, std::size_t column) {
+    return output({map.input_coordinates()[row], map.output_coordinates()[column]});
+  };
+}
+
+std::shared_ptr<const FourBarCells> LinkageFamily::four_bar_cells(const RegionMap& /*map*/) const { return nullptr; }
+std::shared_ptr<const SphericalCells> LinkageFamily::spherical_cells(const RegionMap& /*map*/) const { return nullptr; }
+
 bool is_within(const LinkageFamily& family, const std::optional<MapWindow>& window, MapPoint point) {
   const auto holds = [&](Side side, double coordinate) {
     if (family.axis(side).is_discrete()) return true;

@@ -3,7 +3,7 @@
 #include <memory>
 
 #include "linkwright/core/simd.hpp"
-#include "linkwright/robust/linkage_output.hpp"
+#include "linkwright/robust/made_dimension.hpp"
 #include "robust/sampling_kernel.hpp"
 
 namespace linkwright {

@@ -93,21 +93,6 @@ std::optional<SphericalSensitivity> sensitivity_of(const SphericalFourBar& linka
   return by;
 }
 
-PlanarOutput pose_output(std::vector<TracingFourBar> positions, double turning_length) {
-  return {PlanarOutput::Kind::pose, std::move(positions), turning_length, {}, false};
-}
-
-PlanarOutput angle_output(std::span<const FourBar> positions) {
-  PlanarOutput output{PlanarOutput::Kind::angle, {}, 0, {}, false};
-  for (const FourBar& bars : positions) output.positions.push_back({bars, bars.input_circle});
-  return output;
-}
-
-PlanarOutput line_output(std::vector<TracingFourBar> stroke, const DirectedLine& line, bool realigned) {
-  require(!realigned || stroke.size() >= 3, "a line is realigned over three positions at least");
-  return {PlanarOutput::Kind::line, std::move(stroke), 0, line, realigned};
-}
-
 std::optional<SensitivityMatrix> sensitivities(const PlanarOutput& output) {
   const std::size_t components = output.kind == PlanarOutput::Kind::pose ? 3 : 1;
   auto matrix = filled({output.positions.size(), components, planar_parameters}, [&](auto& rows, std::size_t j) {

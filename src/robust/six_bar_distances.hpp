@@ -7,7 +7,7 @@
 #include "algebra/dense.hpp"
 #include "linkwright/analysis/six_bar_position.hpp"
 #include "linkwright/mechanism/six_bar.hpp"
-#include "linkwright/robust/linkage_output.hpp"
+#include "linkwright/robust/made_dimension.hpp"
 
 namespace linkwright {
 

@@ -4,6 +4,7 @@
 
 #include "linkwright/core/angle.hpp"
 #include "linkwright/spherical/spherical_map.hpp"
+#include "spherical/spherical_cells.hpp"
 
 namespace linkwright {
 namespace {
@@ -20,6 +21,15 @@ MapAxis axis_of_points(std::size_t count) {
 SphericalFourBar four_bar_of(const SphericalDyadPair& links) {
   return with_short_links(
       {links.input.fixed_axis, links.input.moving_axis, links.output.moving_axis, links.output.fixed_axis});
+}
+
+std::optional<LinkageOutput> SphericalFamily::output(MapPoint place) const {
+  const auto links = dyad_pair(place);
+  return links ? std::optional(output_of(place, four_bar(*links))) : std::nullopt;
+}
+
+LinkageOutput SphericalFamily::output_of(MapPoint place, const SphericalFourBar& bars) const {
+  return spherical_output(SphericalOutput::Kind::orientation, bars, orientations(place, bars));
 }
 
 SphericalProductFamily::SphericalProductFamily(std::vector<PrescribedOrientation> orientations, MapAxis input,
@@ -59,6 +69,16 @@ MapPivots SphericalProductFamily::pivots(const RegionMap& map) const {
     return hinges;
   };
   return {hinges_at(map.input_coordinates()), hinges_at(map.output_coordinates()), {}};
+}
+
+std::shared_ptr<const SphericalCells> SphericalProductFamily::spherical_cells(const RegionMap& map) const {
+  const auto along = [&](std::span<const double> coordinates) {
+    std::vector<std::optional<SphericalDyad>> found;
+    for (const double coordinate : coordinates) found.push_back(dyad(coordinate));
+    return found;
+  };
+  return std::make_shared<const SphericalCells>(
+      SphericalCells{orientations_, along(map.input_coordinates()), along(map.output_coordinates())});
 }
 
 std::optional<AxisArcs> SphericalProductFamily::arcs_within(Side side, const PivotWindows& windows) const {

@@ -90,6 +90,10 @@ std::vector<PrescribedOrientation> SphericalFunctionFamily::orientations(MapPoin
   return coupler_orientations(bars, columns_->pairs_at(place.output));
 }
 
+LinkageOutput SphericalFunctionFamily::output_of(MapPoint place, const SphericalFourBar& bars) const {
+  return spherical_output(SphericalOutput::Kind::angle, bars, orientations(place, bars));
+}
+
 double SphericalFunctionFamily::axis_value(Side side, double tau) const {
   return side == Side::input ? tau : axis_value_of(task_.free, tau);
 }

@@ -5,6 +5,7 @@
 
 #include "linkwright/core/angle.hpp"
 #include "linkwright/core/parallel.hpp"
+#include "linkwright/straight_line/straight_path.hpp"
 #include "straight_line/line_cases.hpp"
 #include "straight_line/line_estimate.hpp"
 
@@ -163,6 +164,39 @@ MapPivots StraightLineFamily::pivots(const RegionMap& map) const {
                   {in_plane(bars.input_circle), in_plane(bars.output_circle)}};
   };
   return found;
+}
+
+namespace {
+
+LinkageOutput output_over(const StraightPath& path, double from, double to, const DirectedLine& line, int places) {
+  std::vector<TracingFourBar> positions;
+  for (const StraightPath::State& state : path.states(from, to, places)) positions.push_back(state.linkage);
+  constexpr bool realigned = false;
+  return line_output(std::move(positions), line, realigned);
+}
+
+}  // namespace
+
+std::optional<LinkageOutput> StraightLineFamily::output(MapPoint place) const {
+  const LineDesign found = design(place);
+  return found.kind == DesignKind::four_bar ? output_of(found.linkage, places_of_cell) : std::nullopt;
+}
+
+std::optional<LinkageOutput> StraightLineFamily::output_of(const TracingFourBar& linkage, int places) const {
+  const DirectedLine& line = task_.line;
+  if (const auto asked = stroke()) {
+    const auto [from, to] = *asked;
+    const double room = 1e-6 * (to - from);  // a path is traced both ways from where the linkage lies
+    const auto path =
+        StraightPath::of(linkage, line.direction, {.from = std::min(from, -room), .to = std::max(to, room)});
+    if (path && path->reaches(from, to)) return output_over(*path, from, to, line, places);
+  }
+  const double deviation = measuring_.deviation_of(linkage);
+  const bool is_strip = measuring_.measure == LineMeasure::strip;
+  const auto path = StraightPath::of(linkage, line.direction, {.max_deviation = (is_strip ? 2.1 : 1.1) * deviation});
+  if (!path) return std::nullopt;
+  const UsableLine usable = is_strip ? path->usable_strip(deviation) : path->usable(deviation);
+  return output_over(*path, usable.from, usable.to, line, places);
 }
 
 void StraightLineFamily::fill(RegionMap& map, std::span<const double> input, std::span<const double> output,

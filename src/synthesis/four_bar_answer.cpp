@@ -60,8 +60,8 @@ bool find_four_bars(KindAnswer& answer, const Progress& progress, const TaskWord
   }
   // What a length was chosen for is to be seen again.
   const int inside = given.chose_length ? ChosenLength::samples : 0;
-  const CountedRegion counted = count_region(answer, answer.task, *given.family,
-                                             {answer.options.region_samples, answer.options.window, inside}, progress);
+  const CountedRegion counted =
+      count_region(answer, *given.family, {answer.options.region_samples, answer.options.window, inside}, progress);
   warn_of_map(answer);
   if (nothing_meets_requirements(answer)) answer.missed_boxes = missed_boxes(*given.family, answer.requirements);
   if (!answer.options.at) {

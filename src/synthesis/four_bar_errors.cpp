@@ -4,10 +4,9 @@
 #include <array>
 #include <cmath>
 #include <limits>
-#include <memory>
+#include <utility>
 
 #include "linkwright/core/angle.hpp"
-#include "linkwright/planar/function_family.hpp"
 #include "linkwright/region/region_map.hpp"
 #include "robust/tolerance_error_kernel.hpp"
 
@@ -15,13 +14,7 @@ namespace linkwright {
 namespace {
 
 constexpr std::size_t most_positions = ToleranceErrorBlock::most_positions;
-
-/// A grounded link in all positions, working frame.
-struct LinkPositions {
-  Point center{};
-  std::array<Point, most_positions> circle{};
-  bool is_whole = false;  ///< neither pivot is at infinity
-};
+static_assert(most_positions == LinkPositions::most_positions);
 
 ToleranceErrorBlock::Variances variances_of(const Tolerances& tolerances, double scale) {
   const PlanarValues all = planar_variances(tolerances);
@@ -41,88 +34,11 @@ void put(const LinkPositions& link, std::size_t positions, std::size_t lane,
   }
 }
 
-/// Where the links of a map's cells are in the positions of its task. Those of rows and columns that depend on their
-/// own coordinate alone are moved once.
-class LinksOfCells {
- public:
-  LinksOfCells(const FourBarFamily& family, const RegionMap& map)
-      : pairs_(family.dyad_pairs_of_cells(map.input_coordinates(), map.output_coordinates())) {
-    if (const auto* functions = dynamic_cast<const FunctionFamily*>(&family))
-      set_turns(*functions, map);
-    else
-      set_poses(family, map);
-  }
-
-  [[nodiscard]] std::size_t positions() const { return input_moves_.front().size(); }
-  [[nodiscard]] bool is_function() const { return origins_.empty(); }
-  /// The body's origin; of motions.
-  [[nodiscard]] Point origin(std::size_t position) const { return origins_[position]; }
-
-  [[nodiscard]] std::pair<LinkPositions, LinkPositions> at(std::size_t row, std::size_t column) const {
-    if (!rows_.empty()) return {rows_[row], columns_[column]};
-    const auto pair = pairs_(row, column);
-    if (!pair) return {};
-    const std::size_t moves = input_moves_.size() == 1 ? 0 : column;
-    return {moved(pair->input, input_moves_[moves]), moved(pair->output, output_moves_[moves])};
-  }
-
- private:
-  /// z → turn · (z − about(z)) + to: a pose carries all points along, an angle turns a link about its own pivot.
-  struct Move {
-    Point turn{1, 0}, from{}, to{};
-    bool about_center = false;
-  };
-  using Moves = std::vector<Move>;
-
-  void set_poses(const FourBarFamily& family, const RegionMap& map) {
-    Moves moves;
-    const auto poses = family.working_poses({}, {});  // the same for all of them
-    for (const PrescribedPose& there : poses) {
-      const Pose &first = poses.front().pose, &pose = there.pose;
-      moves.push_back({direction(pose.angle - first.angle), first.origin, pose.origin, false});
-      origins_.push_back(pose.origin);
-    }
-    input_moves_ = output_moves_ = {moves};
-    for (const Dyad& link : family.dyads(Side::input, map.input_coordinates())) rows_.push_back(moved(link, moves));
-    for (const Dyad& link : family.dyads(Side::output, map.output_coordinates()))
-      columns_.push_back(moved(link, moves));
-  }
-  // The free parameter runs along the columns.
-  void set_turns(const FunctionFamily& family, const RegionMap& map) {
-    for (const double coordinate : map.output_coordinates()) {
-      const auto pairs = family.task_at({0, coordinate}).pairs;
-      Moves inputs, outputs;
-      for (const AnglePair& pair : pairs) {
-        inputs.push_back({direction(pair.input - pairs.front().input), {}, {}, true});
-        outputs.push_back({direction(pair.output - pairs.front().output), {}, {}, true});
-      }
-      input_moves_.push_back(std::move(inputs));
-      output_moves_.push_back(std::move(outputs));
-    }
-  }
-  [[nodiscard]] static LinkPositions moved(const Dyad& link, const Moves& moves) {
-    const auto center = finite_point(link.center), circle = finite_point(link.circle);
-    if (!center || !circle) return {};
-    LinkPositions found{*center, {}, true};
-    for (std::size_t j = 0; j < moves.size(); ++j) {
-      const Move& move = moves[j];
-      found.circle[j] =
-          move.about_center ? *center + move.turn * (*circle - *center) : move.to + move.turn * (*circle - move.from);
-    }
-    return found;
-  }
-
-  FourBarFamily::DyadPairsOfCells pairs_;
-  std::vector<Moves> input_moves_, output_moves_;  ///< one for all columns, or one to each
-  std::vector<Point> origins_;
-  std::vector<LinkPositions> rows_, columns_;
-};
-
 }  // namespace
 
-CellMeasure::Rows four_bar_errors(const FourBarFamily& family, const RegionMap& map, const Tolerances& tolerances) {
-  const auto links = std::make_shared<const LinksOfCells>(family, map);
-  const double scale = family.frame().scale;
+CellMeasure::Rows four_bar_errors(std::shared_ptr<const FourBarCells> links, const RegionMap& map,
+                                  const Tolerances& tolerances) {
+  const double scale = links->scale();
   ToleranceErrorBlock blank{};
   blank.kind = links->is_function() ? ToleranceErrorBlock::angle : ToleranceErrorBlock::pose;
   blank.variances = variances_of(tolerances, scale);
@@ -133,7 +49,7 @@ CellMeasure::Rows four_bar_errors(const FourBarFamily& family, const RegionMap& 
     blank.point[j][1] = links->origin(j).imag();
   }
   const double unit = links->is_function() ? degrees(1) : scale;
-  return [links, blank, unit, &map](std::size_t row, std::span<float> values) {
+  return [links = std::move(links), blank, unit, &map](std::size_t row, std::span<float> values) {
     constexpr std::size_t size = ToleranceErrorBlock::size;
     ToleranceErrorBlock block = blank;
     for (std::size_t first = 0; first < values.size(); first += size) {

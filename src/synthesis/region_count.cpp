@@ -49,12 +49,12 @@ std::vector<Relaxation> relaxations_between(const Findings& found, const Linkage
 
 }  // namespace
 
-CountedRegion count_region(Findings& found, const Task& task, const LinkageFamily& family, const MapExtent& extent,
+CountedRegion count_region(Findings& found, const LinkageFamily& family, const MapExtent& extent,
                            const Progress& progress) {
   const auto samples = [&](Side side) {
     return samples_within(family, side, extent.window, extent.samples, found.options.spacing);
   };
-  if (found.options.tolerances) found.added = tolerance_measures(task, family, *found.options.tolerances);
+  if (found.options.tolerances) found.added = tolerance_measures(family, *found.options.tolerances);
   const MapMaking making{[&](RegionMap& map, std::span<const double> input, std::span<const double> output) {
                            family.classify(map, input, output, found.requirements.respect_direction,
                                            found.options.region, progress);

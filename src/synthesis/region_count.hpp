@@ -32,7 +32,7 @@ struct CountedRegion {
 /// Lays the map of a family out, counts its linkages and those that meet the requirements, and looks into the windows
 /// for hinges; where nothing meets the requirements, what would leave some. With tolerances, whose turning length is
 /// set, what they do to the cells is measured as well. What is returned lives no longer than the findings.
-[[nodiscard]] CountedRegion count_region(Findings& found, const Task& task, const LinkageFamily& family,
-                                         const MapExtent& extent, const Progress& progress);
+[[nodiscard]] CountedRegion count_region(Findings& found, const LinkageFamily& family, const MapExtent& extent,
+                                         const Progress& progress);
 
 }  // namespace linkwright

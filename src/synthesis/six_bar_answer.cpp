@@ -105,7 +105,7 @@ Result<Answer> solve_chain(SixBarAnswer answer, const Progress& progress) {
   answer.chain = ChainFamily::of(answer.task);
   if (!answer.chain) return Error{"out_of_reach", "task.chain", "the chain does not reach all poses"};
   const CountedRegion counted =
-      count_region(answer, answer.task, *answer.chain, {samples_of(answer.options), answer.options.window}, progress);
+      count_region(answer, *answer.chain, {samples_of(answer.options), answer.options.window}, progress);
   const SynthesisOptions& options = answer.options;
   if (options.at) {
     list_what_is_there(answer, *answer.chain, [&](MapPoint place, std::vector<RequirementKind>& failed) {

@@ -46,8 +46,8 @@ bool find_spherical(KindAnswer& answer, const TaskWords& words, const Progress& 
     answer.reason = given.degeneracy.value_or(Notice{});
     return true;
   }
-  const CountedRegion counted = count_region(answer, answer.task, *given.family,
-                                             {answer.options.region_samples, answer.options.window}, progress);
+  const CountedRegion counted =
+      count_region(answer, *given.family, {answer.options.region_samples, answer.options.window}, progress);
   if (!given.points.empty()) answer.pairs = pairs_of_points(answer);
   const SearchedSphericalFourBars search(answer);
   if (answer.options.at) {

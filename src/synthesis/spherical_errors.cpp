@@ -22,13 +22,11 @@ struct ArcPositions {
   double cosine = 0, sine = 0;
 };
 
-std::vector<std::optional<ArcPositions>> positions_along(const SphericalProductFamily& family,
-                                                         std::span<const double> coordinates,
+std::vector<std::optional<ArcPositions>> positions_along(const std::vector<std::optional<SphericalDyad>>& dyads,
                                                          const std::vector<PrescribedOrientation>& orientations) {
   std::vector<std::optional<ArcPositions>> links;
-  for (const double coordinate : coordinates) {
+  for (const auto& dyad : dyads) {
     links.emplace_back();
-    const auto dyad = family.dyad(coordinate);
     if (!dyad) continue;
     ArcPositions& link = links.back().emplace();
     link.fixed = dyad->fixed_axis;
@@ -76,13 +74,11 @@ class CellErrors {
 
 }  // namespace
 
-CellMeasure::Rows spherical_errors(const SphericalProductFamily& family, const RegionMap& map,
-                                   const Tolerances& tolerances) {
-  const auto orientations = family.orientations({}, {});  // the same for all of them
-  const CellErrors errors(spherical_variances(tolerances), orientations.size());
-  const auto rows = positions_along(family, map.input_coordinates(), orientations);
+CellMeasure::Rows spherical_errors(const SphericalCells& cells, const RegionMap& map, const Tolerances& tolerances) {
+  const CellErrors errors(spherical_variances(tolerances), cells.orientations.size());
+  const auto rows = positions_along(cells.rows, cells.orientations);
   const auto columns = std::make_shared<const std::vector<std::optional<ArcPositions>>>(
-      positions_along(family, map.output_coordinates(), orientations));
+      positions_along(cells.columns, cells.orientations));
   return [errors, rows, columns, &map](std::size_t row, std::span<float> values) {
     for (std::size_t column = 0; column < values.size(); ++column) {
       const auto& output = (*columns)[column];

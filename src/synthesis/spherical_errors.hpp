@@ -2,13 +2,12 @@
 
 #include "linkwright/region/cell_measure.hpp"
 #include "linkwright/robust/tolerances.hpp"
-#include "linkwright/spherical/spherical_family.hpp"
+#include "spherical/spherical_cells.hpp"
 
 namespace linkwright {
 
-/// The errors to first order, degrees, of a map of spherical four-bars that visit the same orientations. Refers to the
-/// map.
-[[nodiscard]] CellMeasure::Rows spherical_errors(const SphericalProductFamily& family, const RegionMap& map,
+/// The errors to first order, degrees, of a map of spherical four-bars, of which `cells` are. Refers to the map.
+[[nodiscard]] CellMeasure::Rows spherical_errors(const SphericalCells& cells, const RegionMap& map,
                                                  const Tolerances& tolerances);
 
 }  // namespace linkwright

@@ -239,7 +239,7 @@ Result<Answer> solve_of_kind(const StraightLineTask& task, const Requirements& r
     return search_all_cases(std::move(answer), *wanted, progress);
   answer.lines = std::make_shared<StraightLineFamily>(task, options.line, options.window);
   const StraightLineFamily& family = *answer.lines;
-  const CountedRegion counted = count_region(answer, task, family, {options.region_samples, std::nullopt}, progress);
+  const CountedRegion counted = count_region(answer, family, {options.region_samples, std::nullopt}, progress);
   if (options.at) {
     list_layers(answer);
   } else if (family.axis(Side::input).is_discrete()) {

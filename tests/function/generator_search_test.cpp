@@ -13,6 +13,7 @@ class TwoRings : public LinkageFamily {
       : LinkageFamily({AxisQuantity::curve_coordinate, {{"odd", 0, 1}, {"oval", 1, 2}}},
                       {AxisQuantity::nothing, {{"point", 0, 1}}}) {}
   [[nodiscard]] MapPivots pivots(const RegionMap& /*map*/) const override { return {}; }
+  [[nodiscard]] std::optional<LinkageOutput> output(MapPoint /*place*/) const override { return std::nullopt; }
 
  private:
   void fill(RegionMap& /*map*/, std::span<const double> /*input*/, std::span<const double> /*output*/,

@@ -22,6 +22,9 @@ class ToyFamily : public LinkageFamily {
               return std::optional(Pivots{{{map.input_coordinates()[row], map.output_coordinates()[column], 0}}, {}});
             }};
   }
+  [[nodiscard]] std::optional<LinkageOutput> output(MapPoint place) const override {
+    return angle_output(std::array{FourBar{{}, place.input, {3, 0}, {3, place.output}}});
+  }
 
  private:
   void fill(RegionMap& map, std::span<const double> input, std::span<const double> output, bool /*respect_direction*/,
@@ -32,6 +35,21 @@ class ToyFamily : public LinkageFamily {
     map.evaluate_cells(input, output, kept, {}, cell_at, options, progress);
   }
 };
+
+TEST(LinkageFamily, GivesTheOutputOfEachCell) {
+  const ToyFamily family;
+  RegionMap map;
+  const std::array input = {0.5, 1.5};
+  const std::array output = {0.5, 1.5, 2.5};
+  family.classify(map, input, output, true);
+  const auto output_of = family.outputs_of(map);
+  const auto there = output_of(1, 2);
+  ASSERT_TRUE(there);
+  EXPECT_EQ(std::get<PlanarOutput>(*there).positions[0].bars.input_circle, 1.5);
+  EXPECT_EQ(std::get<PlanarOutput>(*there).positions[0].bars.output_circle, Point(3, 2.5));
+  EXPECT_FALSE(family.four_bar_cells(map));
+  EXPECT_FALSE(family.spherical_cells(map));
+}
 
 class LinkageFamilyTest : public ::testing::Test {
  protected:

@@ -25,6 +25,7 @@ class HillFamily : public LinkageFamily {
  public:
   HillFamily() : LinkageFamily({AxisQuantity::side_length, {{"", 0, 1}}}, {AxisQuantity::side_length, {{"", 0, 1}}}) {}
   [[nodiscard]] MapPivots pivots(const RegionMap& /*map*/) const override { return {}; }
+  [[nodiscard]] std::optional<LinkageOutput> output(MapPoint /*place*/) const override { return std::nullopt; }
 
  private:
   void fill(RegionMap& map, std::span<const double> input, std::span<const double> output, bool /*respect_direction*/,

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <functional>
 #include <memory>
 #include <optional>
 #include <span>
@@ -16,7 +17,9 @@ namespace linkwright {
 class ChainFamily : public LinkageFamily {
  public:
   /// As SixBarFamily: `added` in an order of six_bar_rows(), `bodies` from chain_positions(); fixed frame, user's unit.
-  ChainFamily(const ThreeLinkChain& chain, std::array<BodyPair, 2> added, std::array<BodyPositions, 4> bodies);
+  /// `reference`: the guided frame in position 1.
+  ChainFamily(const ThreeLinkChain& chain, std::array<BodyPair, 2> added, std::array<BodyPositions, 4> bodies,
+              const Pose& reference = {});
   /// Of a task; nothing without a chain, or with one that does not reach all poses.
   [[nodiscard]] static std::shared_ptr<const ChainFamily> of(const SixBarTask& task);
 
@@ -37,13 +40,22 @@ class ChainFamily : public LinkageFamily {
 
   [[nodiscard]] MapPivots pivots(const RegionMap& map) const override;
 
+  [[nodiscard]] std::optional<LinkageOutput> output(MapPoint place) const override;
+  [[nodiscard]] OutputOfCells outputs_of(const RegionMap& map) const override;
+  /// Six-bars differ in which of their bodies are ternary.
+  [[nodiscard]] std::optional<LinkageOutput> output_form() const override { return std::nullopt; }
+
  private:
-  ChainFamily(const ThreeLinkChain& chain, SixBarFamily six_bars);
+  ChainFamily(const ThreeLinkChain& chain, SixBarFamily six_bars, const Pose& reference);
+  /// Of the cells of a map, both of which must outlive it; those of a row have their link 4 in common.
+  [[nodiscard]] std::function<std::optional<SixBarMember>(std::size_t row, std::size_t column)> members_of(
+      const RegionMap& map) const;
   void fill(RegionMap& map, std::span<const double> input, std::span<const double> output, bool respect_direction,
             const RegionOptions& options, const Progress& progress) const override;
 
   ThreeLinkChain chain_;
   SixBarFamily six_bars_;
+  Pose reference_;
 };
 
 }  // namespace linkwright

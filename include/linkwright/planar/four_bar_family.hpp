@@ -64,6 +64,11 @@ class FourBarFamily : public LinkageFamily {
 
   [[nodiscard]] MapPivots pivots(const RegionMap& map) const override;
 
+  [[nodiscard]] std::optional<LinkageOutput> output(MapPoint place) const override;
+  /// Of bars (user's frame) known already.
+  [[nodiscard]] virtual LinkageOutput output_of(MapPoint place, const FourBar& bars) const;
+  [[nodiscard]] std::shared_ptr<const FourBarCells> four_bar_cells(const RegionMap& map) const override;
+
  protected:
   /// arcs_within() of grounded links that depend on their own coordinate alone.
   [[nodiscard]] std::vector<AxisArc> arcs_of_dyads(Side side, const PivotWindows& windows,

@@ -45,6 +45,8 @@ class FunctionFamily : public FourBarFamily {
                                                      std::span<const double> output) const override;
   [[nodiscard]] std::vector<PrescribedPose> user_poses(MapPoint place, const FourBar& bars) const override;
   [[nodiscard]] std::vector<PrescribedPose> working_poses(MapPoint place, const FourBar& bars) const override;
+  [[nodiscard]] LinkageOutput output_of(MapPoint place, const FourBar& bars) const override;
+  [[nodiscard]] std::shared_ptr<const FourBarCells> four_bar_cells(const RegionMap& map) const override;
   [[nodiscard]] double axis_value(Side side, double tau) const override;
   [[nodiscard]] std::vector<double> samples(Side side, int count, Spacing spacing) const override;
 

@@ -7,6 +7,7 @@
 #include <utility>
 #include <vector>
 
+#include "linkwright/analysis/linkage_output.hpp"
 #include "linkwright/analysis/six_bar_position.hpp"
 #include "linkwright/mechanism/dyad.hpp"
 #include "linkwright/mechanism/six_bar.hpp"
@@ -69,6 +70,9 @@ struct SixBarMember {
   std::array<SixBarTurns, 4> turns;
   std::array<double, 2> coordinates{};  ///< τ of link 4 and of link 5
 };
+
+/// How it lies in the poses. `reference`: the guided frame in position 1.
+[[nodiscard]] SixBarOutput output_of(const SixBarMember& member, const Pose& reference);
 
 /// The chain in its positions with both links added by their hinges; `link_4` from positions_of_link(). No coordinates.
 [[nodiscard]] SixBarMember six_bar_member(const ThreeLinkChain& chain, std::array<BodyPair, 2> added,

@@ -1,11 +1,13 @@
 #pragma once
 
 #include <functional>
+#include <memory>
 #include <optional>
 #include <span>
 #include <vector>
 
 #include "linkwright/algebra/vector3.hpp"
+#include "linkwright/analysis/linkage_output.hpp"
 #include "linkwright/core/progress.hpp"
 #include "linkwright/region/linkage_class.hpp"
 #include "linkwright/region/map_axis.hpp"
@@ -27,6 +29,9 @@ struct MapPivots {
   /// Nothing where a pivot is at infinity; called from several threads.
   std::function<std::optional<Pivots>(std::size_t row, std::size_t column)> of_cell;
 };
+
+class FourBarCells;
+struct SphericalCells;
 
 /// What a task leaves open: linkages over two coordinates. Map, filter, census and search ask it for nothing else, so
 /// that they do not know what kind of linkage they are about.
@@ -77,6 +82,22 @@ class LinkageFamily {
 
   /// Where the hinges of a map of this family lie. Refers to the family and the map, which must outlive it.
   [[nodiscard]] virtual MapPivots pivots(const RegionMap& map) const = 0;
+
+  /// How the linkage at a place lies in the positions of its task, user's frame: what analyses look at. Turns count as
+  /// no length (with_turning_length()). Nothing where there is no linkage.
+  [[nodiscard]] virtual std::optional<LinkageOutput> output(MapPoint place) const = 0;
+  /// The same of the cells of a map; what they share is worked out once. May be called from several threads. Refers to
+  /// the family and the map, which must outlive it.
+  using OutputOfCells = std::function<std::optional<LinkageOutput>(std::size_t row, std::size_t column)>;
+  [[nodiscard]] virtual OutputOfCells outputs_of(const RegionMap& map) const;
+  /// An output without positions of the kind that all of them are, with the same dimensions; nothing where these
+  /// differ.
+  [[nodiscard]] virtual std::optional<LinkageOutput> output_form() const { return PlanarOutput{}; }
+  /// An output takes so long that only cells that meet all else are worth it.
+  [[nodiscard]] virtual bool outputs_take_long() const { return false; }
+  /// For kernels: the links of a map's cells in all positions. Null: its linkages are others. Refers as outputs_of().
+  [[nodiscard]] virtual std::shared_ptr<const FourBarCells> four_bar_cells(const RegionMap& map) const;
+  [[nodiscard]] virtual std::shared_ptr<const SphericalCells> spherical_cells(const RegionMap& map) const;
 
  private:
   virtual void fill(RegionMap& map, std::span<const double> input, std::span<const double> output,

@@ -7,7 +7,7 @@
 #include "linkwright/mechanism/pose.hpp"
 #include "linkwright/mechanism/spherical_four_bar.hpp"
 #include "linkwright/mechanism/tracing_four_bar.hpp"
-#include "linkwright/robust/linkage_output.hpp"
+#include "linkwright/robust/made_dimension.hpp"
 #include "linkwright/robust/tolerances.hpp"
 
 namespace linkwright {

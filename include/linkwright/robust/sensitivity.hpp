@@ -6,8 +6,8 @@
 #include <span>
 #include <vector>
 
-#include "linkwright/algebra/directed_line.hpp"
 #include "linkwright/algebra/vector3.hpp"
+#include "linkwright/analysis/linkage_output.hpp"
 #include "linkwright/mechanism/spherical_four_bar.hpp"
 #include "linkwright/mechanism/tracing_four_bar.hpp"
 #include "linkwright/robust/tolerances.hpp"
@@ -57,27 +57,6 @@ class SensitivityMatrix {
   std::size_t positions_, components_, parameters_;
   std::vector<double> values_;
 };
-
-/// What is asked of a planar four-bar, and how it lies in each position of its task; errors are taken at the directions
-/// that the input has there.
-struct PlanarOutput {
-  enum class Kind : unsigned char {
-    pose,   ///< the point and the coupler's angle: x, y, turning_length · θ
-    angle,  ///< the output's angle, radians
-    line    ///< the point's distance to the left of a line
-  };
-  Kind kind = Kind::pose;
-  std::vector<TracingFourBar> positions;  ///< of one linkage, the same links in all
-  double turning_length = 0;              ///< of poses, user's unit
-  DirectedLine line;                      ///< of lines
-  /// Of lines: the line is turned and moved to lie best in each linkage made, by least squares over the positions (at
-  /// least three); otherwise it stays where it was drawn.
-  bool realigned = false;
-};
-/// The body's origin is the linkage's point.
-[[nodiscard]] PlanarOutput pose_output(std::vector<TracingFourBar> positions, double turning_length);
-[[nodiscard]] PlanarOutput angle_output(std::span<const FourBar> positions);
-[[nodiscard]] PlanarOutput line_output(std::vector<TracingFourBar> stroke, const DirectedLine& line, bool realigned);
 
 /// Nothing where a position has no sensitivity_of().
 [[nodiscard]] std::optional<SensitivityMatrix> sensitivities(const PlanarOutput& output);

@@ -5,7 +5,7 @@
 #include <string>
 #include <vector>
 
-#include "linkwright/robust/linkage_output.hpp"
+#include "linkwright/robust/made_dimension.hpp"
 #include "linkwright/robust/sensitivity.hpp"
 #include "linkwright/robust/tolerances.hpp"
 

@@ -4,7 +4,7 @@
 #include <string>
 #include <vector>
 
-#include "linkwright/robust/linkage_output.hpp"
+#include "linkwright/robust/made_dimension.hpp"
 #include "linkwright/robust/tolerance_allocation.hpp"
 #include "linkwright/robust/tolerance_sampling.hpp"
 #include "linkwright/robust/tolerances.hpp"

@@ -5,7 +5,7 @@
 #include <vector>
 
 #include "linkwright/core/simd.hpp"
-#include "linkwright/robust/linkage_output.hpp"
+#include "linkwright/robust/made_dimension.hpp"
 #include "linkwright/robust/tolerances.hpp"
 
 namespace linkwright {

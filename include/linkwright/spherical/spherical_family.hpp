@@ -41,6 +41,11 @@ class SphericalFamily : public LinkageFamily {
                                                                         const SphericalFourBar& bars) const = 0;
   /// Dyads along the axis close enough to draw their axes as curves, by rising coordinate.
   [[nodiscard]] virtual std::vector<SphericalDyad> polygon(Side side) const = 0;
+
+  [[nodiscard]] std::optional<LinkageOutput> output(MapPoint place) const override;
+  /// Of bars known already.
+  [[nodiscard]] virtual LinkageOutput output_of(MapPoint place, const SphericalFourBar& bars) const;
+  [[nodiscard]] std::optional<LinkageOutput> output_form() const override { return SphericalOutput{}; }
 };
 
 /// Every four-bar visits the same orientations, and each dyad depends on its own coordinate alone.
@@ -60,6 +65,7 @@ class SphericalProductFamily : public SphericalFamily {
     return orientations_;
   }
   [[nodiscard]] MapPivots pivots(const RegionMap& map) const override;
+  [[nodiscard]] std::shared_ptr<const SphericalCells> spherical_cells(const RegionMap& map) const override;
   [[nodiscard]] std::optional<AxisArcs> arcs_within(Side side, const PivotWindows& windows) const override;
 
  protected:

@@ -43,6 +43,7 @@ class SphericalFunctionFamily : public SphericalFamily {
   [[nodiscard]] SphericalFourBar four_bar(const SphericalDyadPair& links) const override;
   [[nodiscard]] std::vector<PrescribedOrientation> orientations(MapPoint place,
                                                                 const SphericalFourBar& bars) const override;
+  [[nodiscard]] LinkageOutput output_of(MapPoint place, const SphericalFourBar& bars) const override;
   [[nodiscard]] double axis_value(Side side, double tau) const override;
   [[nodiscard]] std::vector<double> samples(Side side, int count, Spacing spacing) const override;
   [[nodiscard]] MapPivots pivots(const RegionMap& map) const override;

@@ -55,6 +55,14 @@ class StraightLineFamily : public LinkageFamily {
   [[nodiscard]] std::vector<double> samples(Side side, int count, Spacing spacing) const override;
   [[nodiscard]] MapPivots pivots(const RegionMap& map) const override;
 
+  /// Its error is looked at in so many places along the line, the ends being worst: those listed, and those of a map.
+  static constexpr int places_of_line = 41, places_of_cell = 9;
+  [[nodiscard]] std::optional<LinkageOutput> output(MapPoint place) const override;
+  /// Of a linkage known already, at evenly laid places: over the stroke that is asked for; where there is none, or the
+  /// point does not go so far, over the usable length.
+  [[nodiscard]] std::optional<LinkageOutput> output_of(const TracingFourBar& linkage, int places) const;
+  [[nodiscard]] bool outputs_take_long() const override { return true; }
+
  private:
   void fill(RegionMap& map, std::span<const double> input, std::span<const double> output, bool respect_direction,
             const RegionOptions& options, const Progress& progress) const override;

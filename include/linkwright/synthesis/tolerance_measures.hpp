@@ -1,14 +1,13 @@
 #pragma once
 
-#include <functional>
 #include <optional>
 #include <string>
 #include <vector>
 
+#include "linkwright/analysis/linkage_output.hpp"
 #include "linkwright/core/progress.hpp"
 #include "linkwright/region/added_measures.hpp"
 #include "linkwright/region/linkage_family.hpp"
-#include "linkwright/robust/linkage_output.hpp"
 #include "linkwright/robust/tolerances.hpp"
 #include "linkwright/synthesis/answer.hpp"
 #include "linkwright/synthesis/problem.hpp"
@@ -16,12 +15,8 @@
 
 namespace linkwright {
 
-/// How the linkage at a place of a map lies in the positions of its task, user's frame; nothing where there is none.
-using OutputAt = std::function<std::optional<LinkageOutput>(MapPoint place)>;
-/// `family`: of the task; it must outlive what is returned. `turning_length`: user's unit.
-[[nodiscard]] OutputAt outputs_of(const Task& task, const LinkageFamily& family, double turning_length);
-
-/// The same of the linkages that an answer lists, one to each.
+/// How the linkages that an answer lists lie in the positions of its task, one to each; turns counted by the turning
+/// length, user's unit.
 [[nodiscard]] std::vector<std::optional<LinkageOutput>> listed_outputs(const Answer& answer, double turning_length);
 
 /// Samples of a linkage of a map: those listed are sampled as often as the tolerances say.
@@ -33,8 +28,7 @@ inline constexpr int map_samples = 1000;
 
 /// The error to first order, and where there is a limit the yield by map_samples, of a family's linkages. The turning
 /// length is set, and so is the limit where yields are wanted. The family must outlive them.
-[[nodiscard]] AddedMeasures tolerance_measures(const Task& task, const LinkageFamily& family,
-                                               const Tolerances& tolerances);
+[[nodiscard]] AddedMeasures tolerance_measures(const LinkageFamily& family, const Tolerances& tolerances);
 
 /// Findings::tolerance of the linkages listed; those that do not meet by it what is required are left out, and a
 /// warning says so, but not what is at a place that was asked for; where these rank them, the list is put in their

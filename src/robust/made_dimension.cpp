@@ -1,4 +1,4 @@
-#include "linkwright/robust/linkage_output.hpp"
+#include "linkwright/robust/made_dimension.hpp"
 
 #include <algorithm>
 #include <fmt/format.h>
@@ -56,20 +56,6 @@ std::vector<MadeDimension> dimensions_of(const SixBarOutput& output, const Toler
 }
 
 }  // namespace
-
-std::size_t positions_of(const LinkageOutput& output) {
-  return std::visit([](const auto& one) { return one.positions.size(); }, output);
-}
-
-bool is_line(const LinkageOutput& output) {
-  const auto* const planar = std::get_if<PlanarOutput>(&output);
-  return planar != nullptr && planar->kind == PlanarOutput::Kind::line;
-}
-
-bool is_angle(const LinkageOutput& output) {
-  if (const auto* const planar = std::get_if<PlanarOutput>(&output)) return planar->kind == PlanarOutput::Kind::angle;
-  return std::holds_alternative<SphericalOutput>(output);
-}
 
 double MadeDimension::variance(const Tolerances& tolerances) const {
   const double deviation = tolerance * standard_deviation(tolerances.distribution);

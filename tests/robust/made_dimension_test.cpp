@@ -1,11 +1,11 @@
-#include "linkwright/robust/linkage_output.hpp"
+#include "linkwright/robust/made_dimension.hpp"
 
 #include <gtest/gtest.h>
 
-namespace linkwright::linkage_output_test {
+namespace linkwright::made_dimension_test {
 namespace {
 
-TEST(LinkageOutput, NamesAndVariesDimensionsAsThePlanarParametersAre) {
+TEST(MadeDimension, NamesAndVariesDimensionsAsThePlanarParametersAre) {
   for (const auto distribution : {ToleranceDistribution::normal, ToleranceDistribution::uniform}) {
     Tolerances t{.length = {1, 2, 3, 4, 5}, .clearance = 0.7, .driver = 0.1};
     t.distribution = distribution;
@@ -22,7 +22,7 @@ TEST(LinkageOutput, NamesAndVariesDimensionsAsThePlanarParametersAre) {
 }
 
 // Nobody is told to loosen what is not there.
-TEST(LinkageOutput, HasNoPointWhereAnAngleIsAskedFor) {
+TEST(MadeDimension, HasNoPointWhereAnAngleIsAskedFor) {
   const Tolerances t{.length = LengthTolerances::all(1)};
   PlanarOutput output;
   output.kind = PlanarOutput::Kind::angle;
@@ -32,7 +32,7 @@ TEST(LinkageOutput, HasNoPointWhereAnAngleIsAskedFor) {
   EXPECT_EQ(dimensions[8].tolerance, 0);
 }
 
-TEST(LinkageOutput, NamesAndVariesDimensionsAsTheSphericalParametersAre) {
+TEST(MadeDimension, NamesAndVariesDimensionsAsTheSphericalParametersAre) {
   const Tolerances t{.clearance = 5, .driver = 0.1, .link_angle = 0.02};
   const auto dimensions = made_dimensions(SphericalOutput{}, t);
   ASSERT_EQ(dimensions.size(), spherical_parameters);
@@ -44,4 +44,4 @@ TEST(LinkageOutput, NamesAndVariesDimensionsAsTheSphericalParametersAre) {
 }
 
 }  // namespace
-}  // namespace linkwright::linkage_output_test
+}  // namespace linkwright::made_dimension_test
