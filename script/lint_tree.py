@@ -6,7 +6,8 @@
 3. include/linkwright/<folder>/<noun>.hpp has its tests in tests/<folder>/<noun>_test.cpp.
 4. Files are named snake_case; in web/src the components (.svelte) UpperCamel.
 5. What is long to compile is included by one file of the library: Eigen by src/algebra/dense.cpp.
-6. linkwright/linkwright.hpp includes every public header that the programs and the Python module include.
+6. Nobody casts to find out what kind a family or an answer is: there is no dynamic_cast.
+7. linkwright/linkwright.hpp includes every public header that the programs and the Python module include.
 
 usage: lint_tree.py [--self-test]
 """
@@ -40,6 +41,8 @@ PUBLIC = Path("include/linkwright")
 PRIVATE = Path("src")
 WHOLE = PUBLIC / "linkwright.hpp"
 FACES = ("apps", "bindings/python")
+CODE = ("include", "src", "apps", "bindings")
+CAST = re.compile(r"\bdynamic_(pointer_)?cast\b")
 EIGEN = "src/algebra/dense.cpp"
 INCLUDE = re.compile(r'^\s*#\s*include\s*([<"])([^>"]+)[>"]')
 
@@ -116,6 +119,14 @@ def whole_violations(root):
                     yield f'{file.relative_to(root)}:{number}: "{included}" is missing in {WHOLE}'
 
 
+def cast_violations(root):
+    for folder in CODE:
+        for file in sorted((root / folder).rglob("*.[ch]pp")):
+            for number, line in enumerate(file.read_text(encoding="utf-8").splitlines(), start=1):
+                if CAST.search(line):
+                    yield f"{file.relative_to(root)}:{number}: no cast to find out a kind: give its base a virtual function"
+
+
 def test_violations(root):
     for header in sorted((root / PUBLIC).rglob("*/*.hpp")):
         noun = header.relative_to(root / PUBLIC)
@@ -133,7 +144,7 @@ def name_violations(root):
 
 
 def violations(root):
-    return [*include_violations(root), *whole_violations(root), *test_violations(root), *name_violations(root)]
+    return [*include_violations(root), *whole_violations(root), *cast_violations(root), *test_violations(root), *name_violations(root)]
 
 
 def self_test():
@@ -151,6 +162,7 @@ def self_test():
         ({"src/region/a.cpp": "#include <linkwright/planar/b.hpp>\n"}, ["region may not include planar"]),
         ({"src/planar/a.cpp": '#include "spherical/b.hpp"\n'}, ["planar may not include spherical, which stands beside"]),
         ({"src/core/a.cpp": '// #include "files/b.hpp"\n'}, []),
+        ({"src/core/a.cpp": "\nauto* b = dynamic_cast<B*>(a);\n"}, ["src/core/a.cpp:2: no cast"]),
         ({"src/core/a.cpp": '#include "../files/b.hpp"\n'}, ["without .."]),
         ({"src/core/a.cpp": '#include "apps/b.hpp"\n'}, ["no folder of the library is called apps"]),
         ({"src/utils/a.cpp": ""}, ["src/utils/a.cpp: the library has no folder utils"]),

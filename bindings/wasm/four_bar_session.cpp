@@ -162,9 +162,7 @@ std::optional<Answer> MotionSession::answer_at(MapPoint place, bool respect_dire
 }
 
 FunctionSession::FunctionSession(const FunctionTask& task)
-    : FourBarSession(task_family(task)),
-      task_(task),
-      family_(std::dynamic_pointer_cast<const FunctionFamily>(given().family)) {}
+    : FourBarSession(task_family(task)), task_(task), family_(given().functions) {}
 
 const std::vector<PrescribedPose>& FunctionSession::poses() const { return no_poses; }
 

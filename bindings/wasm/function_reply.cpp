@@ -17,10 +17,6 @@ void write_angle(JsonWriter& json, std::optional<double> angle) { angle ? json.v
 
 }  // namespace
 
-const FunctionFamily* function_family(const TaskFamily& given) {
-  return dynamic_cast<const FunctionFamily*>(given.family.get());
-}
-
 void write_wanted_function(JsonWriter& json, const WantedFunction& wanted) {
   json.begin_object();
   json.key("pairs");

@@ -3,14 +3,9 @@
 #include "files/json/json_writer.hpp"
 #include "linkwright/function/function_error.hpp"
 #include "linkwright/function/wanted_function.hpp"
-#include "linkwright/planar/function_family.hpp"
-#include "linkwright/planar/task_family.hpp"
 
 // What the page is told of function generation, degrees on the task's dials (web/src/engine/protocol.ts).
 namespace linkwright::wasm {
-
-/// The family, where it is one of a function task.
-[[nodiscard]] const FunctionFamily* function_family(const TaskFamily& given);
 
 /// WantedFunction: the pairs, and the named function between them.
 void write_wanted_function(JsonWriter& json, const WantedFunction& wanted);

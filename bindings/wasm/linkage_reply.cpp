@@ -6,6 +6,7 @@
 #include "files/problem_writer.hpp"
 #include "function_reply.hpp"
 #include "linkwright/core/angle.hpp"
+#include "linkwright/planar/function_family.hpp"
 #include "reply_json.hpp"
 
 namespace linkwright::wasm {
@@ -182,7 +183,7 @@ PickedLinkage picked_linkage(const TaskFamily& given, MapPoint place, bool respe
   const std::vector<PrescribedPose> poses = given.family->user_poses(place, picked.bars->four_bar);
   picked.visits = pose_visits(picked.bars->four_bar, poses);
   picked.drive = drive_table(picked.visits, poses, states_of_a_drive);
-  if (const FunctionFamily* family = function_family(given)) {
+  if (const auto& family = given.functions) {
     picked.task = family->task_at(place);
     picked.bars->function = family->error_of(picked.bars->four_bar, place);
   }

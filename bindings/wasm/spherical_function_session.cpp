@@ -44,9 +44,7 @@ ShownAxis shown_axis(const SphericalFunctionFamily& family, Side side, Spacing s
 }  // namespace
 
 SphericalFunctionSession::SphericalFunctionSession(const SphericalFunctionTask& task)
-    : task_(task),
-      given_(task_family(task_)),
-      family_(std::dynamic_pointer_cast<const SphericalFunctionFamily>(given_.family)) {}
+    : task_(task), given_(task_family(task_)), family_(given_.functions) {}
 
 bool SphericalFunctionSession::serves(const Problem& problem) const {
   const auto* function = std::get_if<SphericalFunctionTask>(&problem.task);

@@ -21,14 +21,14 @@ namespace {
 
 /// Grounded links between the last one of an arc of directions and the arc's end, half a step on, where two sheets
 /// meet: closer and closer, as the pivots run faster and faster.
-void add_end_of_arc(std::vector<Dyad>& links, const ProductFamily& family, Side side, double last, double half_step) {
+void add_end_of_arc(std::vector<Dyad>& links, const FourBarFamily& family, Side side, double last, double half_step) {
   constexpr int looks = 9;
   for (int k = 1; k <= looks; ++k)
     if (const auto dyad = family.dyad(side, last + half_step * (1 - std::pow(0.5, k)))) links.push_back(*dyad);
 }
 
 /// The family's polygon with the ends of its arcs.
-std::vector<Dyad> with_ends(const std::vector<Dyad>& polygon, const ProductFamily& family, Side side) {
+std::vector<Dyad> with_ends(const std::vector<Dyad>& polygon, const FourBarFamily& family, Side side) {
   double step = 1;
   for (std::size_t i = 0; i + 1 < polygon.size(); ++i)
     step = std::min(step, std::abs(polygon[i + 1].coordinate - polygon[i].coordinate));
@@ -50,7 +50,7 @@ std::vector<Dyad> with_ends(const std::vector<Dyad>& polygon, const ProductFamil
 }
 
 /// So many that curves look smooth in the picture, however fast the pivots run.
-std::vector<Dyad> fine_polygon(const ProductFamily& family, Side side) {
+std::vector<Dyad> fine_polygon(const FourBarFamily& family, Side side) {
   constexpr int corners_of_a_branch = 4096;
   const int corners = corners_of_a_branch * static_cast<int>(family.axis(side).branches.size());
   std::vector<Dyad> polygon;
@@ -60,8 +60,8 @@ std::vector<Dyad> fine_polygon(const ProductFamily& family, Side side) {
 }
 
 std::vector<Dyad> links_along(const FourBarFamily& family, Side side) {
-  const auto* product = dynamic_cast<const ProductFamily*>(&family);
-  std::vector<Dyad> polygon = product ? fine_polygon(*product, side) : family.polygon(side);
+  std::vector<Dyad> polygon = fine_polygon(family, side);
+  if (polygon.empty()) polygon = family.polygon(side);  // its dyads depend on the other link
   for (Dyad& dyad : polygon) {
     const double coordinate = dyad.coordinate;
     dyad = family.frame().to_user(dyad);
@@ -254,7 +254,7 @@ TaskScene task_scene(const MotionAnswer& answer) {
 
 TaskScene task_scene(const FunctionAnswer& answer) {
   TaskScene scene = scene_of_best(answer, answer.task);
-  const auto* family = dynamic_cast<const FunctionFamily*>(answer.family());
+  const auto& family = answer.given.functions;
   if (!family) return scene;
   if (scene.linkage == nullptr && !answer.pairs.empty()) {
     scene.linkage = &answer.pairs.front();

@@ -200,7 +200,8 @@ TaskFamily task_family(const FunctionTask& task) {
   given.curve = couplers->curve;
   given.warnings = couplers->warnings;
   given.degeneracy = couplers->degeneracy;
-  if (!given.degeneracy) given.family = std::make_shared<FunctionFamily>(task, std::move(couplers));
+  if (!given.degeneracy) given.functions = std::make_shared<FunctionFamily>(task, std::move(couplers));
+  given.family = given.functions;
   return given;
 }
 

@@ -28,7 +28,7 @@ struct Stretch {
 class CurveBesideBox {
  public:
   /// `corners`: the family's polygon.
-  CurveBesideBox(const ProductFamily& family, std::span<const Dyad> corners, Homogeneous Dyad::*end, const Box& box)
+  CurveBesideBox(const FourBarFamily& family, std::span<const Dyad> corners, Homogeneous Dyad::*end, const Box& box)
       : family_(family), corners_(corners), end_(end), box_(box) {}
 
   /// The closest point; nothing where the family has none.
@@ -83,7 +83,7 @@ class CurveBesideBox {
     return at(least_between(stretch.from, stretch.to, turns, distance_at));
   }
 
-  const ProductFamily& family_;
+  const FourBarFamily& family_;
   std::span<const Dyad> corners_;
   Homogeneous Dyad::*end_;
   Box box_;
@@ -101,18 +101,17 @@ std::string way_text(Point beyond) {
 }  // namespace
 
 std::vector<MissedBox> missed_boxes(const FourBarFamily& family, const Requirements& wanted) {
-  const auto* product = dynamic_cast<const ProductFamily*>(&family);
-  if (!product || !family.is_symmetric() || family.axis(input).quantity != AxisQuantity::curve_coordinate) return {};
+  if (!family.is_symmetric() || family.axis(input).quantity != AxisQuantity::curve_coordinate) return {};
   if (!wanted.ground_pivots_within && !wanted.moving_pivots_within) return {};
-  const std::vector<Dyad> corners = product->polygon(input);
+  const std::vector<Dyad> corners = family.polygon(input);
   std::vector<MissedBox> found;
   const auto look = [&](const std::optional<Box>& box, RequirementKind kind, Homogeneous Dyad::*end) {
     if (!box) return;
     const bool of_ground = kind == RequirementKind::ground_pivots_within;
     const PivotWindows window = of_ground ? PivotWindows{*box, std::nullopt} : PivotWindows{std::nullopt, *box};
-    const auto arcs = product->arcs_within(input, window);
+    const auto arcs = family.arcs_within(input, window);
     if (!arcs || !arcs->are_all || !arcs->arcs.empty()) return;
-    if (const auto nearest = CurveBesideBox(*product, corners, end, *box).nearest())
+    if (const auto nearest = CurveBesideBox(family, corners, end, *box).nearest())
       found.push_back({kind, *nearest, *nearest - nearest_in(*box, *nearest)});
   };
   look(wanted.ground_pivots_within, RequirementKind::ground_pivots_within, &Dyad::center);

@@ -172,7 +172,8 @@ SphericalTaskFamily task_family(const SphericalFunctionTask& task) {
   given.curve = couplers->curve;
   given.warnings = couplers->warnings;
   given.degeneracy = couplers->degeneracy;
-  if (!given.degeneracy) given.family = std::make_shared<SphericalFunctionFamily>(task, std::move(couplers));
+  if (!given.degeneracy) given.functions = std::make_shared<SphericalFunctionFamily>(task, std::move(couplers));
+  given.family = given.functions;
   return given;
 }
 

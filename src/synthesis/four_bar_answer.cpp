@@ -125,7 +125,7 @@ Result<Answer> solve_of_kind(const FunctionTask& task, const Requirements& requi
                              const SynthesisOptions& options, const Progress& progress) {
   auto answer = begin_answer<FunctionAnswer>(task, task_family(task), requirements, options);
   if (!find_four_bars(answer, progress, function_words)) return cancelled();
-  const auto* family = dynamic_cast<const FunctionFamily*>(answer.given.family.get());
+  const auto& family = answer.given.functions;
   if (!family) return Answer(std::move(answer));
   const auto make = [&](MapPoint place) {
     constexpr bool verify = true;

@@ -97,7 +97,7 @@ Result<Answer> solve_of_kind(const SphericalFunctionTask& task, const Requiremen
                              const SynthesisOptions& options, const Progress& progress) {
   auto answer = begin_spherical<SphericalFunctionAnswer>(task, requirements, options);
   if (!find_spherical(answer, spherical_function_words, progress)) return stopped();
-  const auto* family = dynamic_cast<const SphericalFunctionFamily*>(answer.given.family.get());
+  const auto& family = answer.given.functions;
   if (!family) return Answer(std::move(answer));
   const SearchedSphericalFourBars search(answer);
   if (!find_generators(

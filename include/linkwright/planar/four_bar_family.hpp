@@ -41,7 +41,11 @@ class FourBarFamily : public LinkageFamily {
     return dyad_pair(place);
   }
 
-  /// The same at each cell of a map over these coordinates, which it outlives no more than the family: what the cells
+  /// The dyad at a coordinate of an axis; nothing where the axis has none there, or where it depends on the other
+  /// coordinate, too.
+  [[nodiscard]] virtual std::optional<Dyad> dyad(Side /*side*/, double /*tau*/) const { return std::nullopt; }
+
+  /// The pair at each cell of a map over these coordinates, which it outlives no more than the family: what the cells
   /// of a row or a column share is worked out once. May be called from several threads.
   using DyadPairsOfCells = std::function<std::optional<DyadPair>(std::size_t row, std::size_t column)>;
   [[nodiscard]] virtual DyadPairsOfCells dyad_pairs_of_cells(std::span<const double> input,
@@ -106,9 +110,7 @@ class ProductFamily : public MotionFamily {
  public:
   using MotionFamily::MotionFamily;
 
-  /// Nothing where the axis has no dyad there.
-  [[nodiscard]] virtual std::optional<Dyad> dyad(Side side, double tau) const = 0;
-
+  [[nodiscard]] std::optional<Dyad> dyad(Side side, double tau) const override = 0;
   [[nodiscard]] std::optional<DyadPair> dyad_pair(MapPoint place) const override;
   [[nodiscard]] std::optional<DyadPair> dyad_pair_reusing(MapPoint place, const DyadPair& known) const override;
   [[nodiscard]] std::vector<Dyad> dyads(Side side, std::span<const double> coordinates) const override;

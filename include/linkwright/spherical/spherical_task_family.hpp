@@ -13,6 +13,8 @@
 
 namespace linkwright {
 
+class SphericalFunctionFamily;
+
 /// What is known of a task of spherical four-bars before any two dyads are paired: its conditions, and the family of
 /// four-bars that meet them.
 struct SphericalTaskFamily {
@@ -26,6 +28,7 @@ struct SphericalTaskFamily {
   bool has_directions = false;       ///< some orientation prescribes how it is passed
   bool has_no_dyads = false;         ///< because no two dyads do the task
   std::shared_ptr<const SphericalFamily> family;
+  std::shared_ptr<const SphericalFunctionFamily> functions;  ///< of a function task: the family as what it is
 };
 
 /// `task` without mistakes (mistakes_in).
