@@ -35,7 +35,7 @@ void expect_faithful(const Problem& problem, const PlaneWindow& window) {
     return px.real() > box.left && px.real() < box.right() && px.imag() > box.top && px.imag() < box.bottom();
   };
   const BurmesterCurve& curve = *testing::four_bars(answer).given.curve;
-  constexpr int points = testing::draws(4000);
+  const int points = testing::draws(4000);
   int seen = 0;
   for (int i = 0; i < points; ++i) {
     const Dyad dyad = frame.to_user(curve.dyad(curve.coordinate_length() * (i + 0.37) / points));

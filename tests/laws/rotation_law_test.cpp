@@ -109,7 +109,7 @@ std::vector<Representation> all_representations() {
   return all;
 }
 
-constexpr int many = testing::draws(1'000'000);
+const int many = testing::draws(1'000'000);
 
 class RotationLaw : public ::testing::TestWithParam<Representation> {
  protected:
