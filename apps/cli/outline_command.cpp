@@ -1,6 +1,7 @@
 #include <algorithm>
 #include <cmath>
 #include <fmt/format.h>
+#include <span>
 
 #include "commands.hpp"
 #include "linkwright/core/angle.hpp"
@@ -12,15 +13,8 @@
 namespace linkwright::cli {
 namespace {
 
-/// The poses of the body that the task guides in the plane; nothing where it guides none.
-const std::vector<PrescribedPose>* guided_poses(const Task& task) {
-  if (const auto* motion = std::get_if<MotionTask>(&task)) return &motion->poses;
-  if (const auto* six_bar = std::get_if<SixBarTask>(&task)) return &six_bar->poses;
-  return nullptr;
-}
-
 /// About how large a body is beside the way that it goes.
-double usual_size(const std::vector<PrescribedPose>& poses) {
+double usual_size(std::span<const PrescribedPose> poses) {
   double left = poses[0].pose.origin.real(), right = left, bottom = poses[0].pose.origin.imag(), top = bottom;
   for (const PrescribedPose& pose : poses) {
     left = std::min(left, pose.pose.origin.real());
@@ -104,8 +98,8 @@ int outline(const OutlineArguments& arguments) {
     print_mistakes(arguments.problem == "-" ? "standard input" : arguments.problem, problem.errors());
     return mistake;
   }
-  const std::vector<PrescribedPose>* poses = guided_poses(problem->task);
-  if (poses == nullptr) {
+  const std::span<const PrescribedPose> poses = guided_poses(problem->task);
+  if (poses.empty()) {
     print_mistakes(arguments.problem,
                    {{"no_body", "task", "this task guides no body in the plane, so none can have an outline"}});
     return mistake;
@@ -118,7 +112,7 @@ int outline(const OutlineArguments& arguments) {
   }
   const DrawnShape& shape = drawing->shapes[static_cast<std::size_t>(arguments.shape - 1)];
   const OutlineFit fit =
-      fit_of(arguments, shape, scale_of(arguments, *drawing, problem->length_unit), usual_size(*poses));
+      fit_of(arguments, shape, scale_of(arguments, *drawing, problem->length_unit), usual_size(poses));
   problem->outline = body_outline(shape, fit.scale, fit.placed);
   if (!write_output(arguments.output, [&](const TextSink& sink) { sink(write_problem(*problem)); })) return failure;
   if (arguments.output == "-") return 0;

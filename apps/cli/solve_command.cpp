@@ -4,6 +4,7 @@
 #include "linkwright/drawing/svg_drawing.hpp"
 #include "linkwright/files/problem_file.hpp"
 #include "linkwright/files/result_file.hpp"
+#include "linkwright/synthesis/solve.hpp"
 #include "report.hpp"
 
 namespace linkwright::cli {
@@ -20,13 +21,6 @@ Result<Answer> solve_with_progress(const Problem& problem) {
   progress.report = [&line](double done) { line.show(done); };
   progress.cancelled = Interruption::flag();
   return solve(problem, progress);
-}
-
-/// Such an answer is complete in itself wherever it was stopped.
-bool is_best_so_far(const Answer& answer) {
-  const auto* six_bars = std::get_if<SixBarAnswer>(&answer);
-  const auto* lines = std::get_if<StraightLineAnswer>(&answer);
-  return (six_bars && six_bars->search) || (lines && lines->search);
 }
 
 /// The files that were asked for; false where one cannot be written.
@@ -55,7 +49,7 @@ int solve(const SolveArguments& arguments) {
     return mistake;
   }
   const auto solved = solve_with_progress(*problem);
-  if (solved && is_best_so_far(*solved)) Interruption::settle();  // a search hands over the best so far
+  if (solved && looked_at_by_search(*solved)) Interruption::settle();  // a search hands over the best so far
   if (Interruption::happened()) return stopped();
   if (!solved) {
     print_mistakes(file, solved.errors());

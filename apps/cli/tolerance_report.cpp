@@ -89,12 +89,16 @@ std::string given_words(const Tolerances& of, std::string_view unit) {
 }
 
 std::string_view error_words(const Task& task) {
-  if (std::holds_alternative<StraightLineTask>(task)) return "largest 3σ off the line over the stroke";
-  if (std::holds_alternative<FunctionTask>(task) || std::holds_alternative<SphericalFunctionTask>(task))
-    return "root mean square of the output's angle over the pairs";
-  if (std::holds_alternative<SphericalMotionTask>(task))
-    return "root mean square of the body's turn over the orientations";
-  return "root mean square over the positions, turns counted by the turning length";
+  switch (output_kind(task)) {
+    case OutputKind::line:
+      return "largest 3σ off the line over the stroke";
+    case OutputKind::angle:
+      return "root mean square of the output's angle over the pairs";
+    case OutputKind::turn:
+      return "root mean square of the body's turn over the orientations";
+    default:
+      return "root mean square over the positions, turns counted by the turning length";
+  }
 }
 
 std::string main_cause(const ToleranceReport& report) {
@@ -107,7 +111,7 @@ std::string main_cause(const ToleranceReport& report) {
 
 std::string tolerance_table(const Problem& problem, const Findings& found) {
   if (!found.options.tolerances || found.tolerance.empty()) return "";
-  const bool of_lines = std::holds_alternative<StraightLineTask>(problem.task);
+  const bool of_lines = output_kind(problem.task) == OutputKind::line;
   std::vector<std::string> heads = {"#", "error", "sampled", "worst case", "yield", "<most by"};
   if (of_lines) heads.insert(heads.begin() + 2, "line realigned");
   TextTable table(heads);

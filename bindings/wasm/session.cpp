@@ -48,13 +48,6 @@ std::unique_ptr<TaskSession> session_of(const StraightLineTask& task, const Prob
   return std::make_unique<StraightLineSession>(task, problem.options);
 }
 
-// The points by which a body's poses were given.
-std::span<const BodyPoints> points_of(const Task& task) {
-  if (const auto* motion = std::get_if<MotionTask>(&task)) return motion->points;
-  if (const auto* six_bar = std::get_if<SixBarTask>(&task)) return six_bar->points;
-  return {};
-}
-
 }  // namespace
 
 std::unique_ptr<TaskSession> task_session(const Problem& problem) {

@@ -1,5 +1,6 @@
 #include "linkwright/files/listed_study.hpp"
 
+#include <algorithm>
 #include <fmt/format.h>
 
 #include "linkwright/files/listed_problem.hpp"
@@ -27,11 +28,16 @@ Result<Tolerances> changed_tolerances(const Problem& problem, const ToleranceCha
 
 /// Which of the linkages at the place.
 std::size_t place_in(const Answer& answer, int layer) {
-  const auto* lines = std::get_if<StraightLineAnswer>(&answer);
-  if (lines == nullptr) return 0;
-  for (std::size_t i = 0; i < lines->linkages.size(); ++i)
-    if (lines->linkages[i].place.layer == layer) return i;
-  return 0;
+  const auto is_there = [&](const auto& linkage) {
+    if constexpr (requires { linkage.place.layer; }) return linkage.place.layer == layer;
+    return true;  // there is one only
+  };
+  return std::visit(
+      [&](const auto& of_kind) {
+        const auto found = std::find_if(of_kind.linkages.begin(), of_kind.linkages.end(), is_there);
+        return found == of_kind.linkages.end() ? 0 : static_cast<std::size_t>(found - of_kind.linkages.begin());
+      },
+      answer);
 }
 
 }  // namespace

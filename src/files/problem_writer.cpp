@@ -182,7 +182,7 @@ void write_problem(JsonWriter& json, const Problem& problem) {
     write_tolerances(json, *problem.options.tolerances);
   }
   json.key("options");
-  write_options(json, problem.options, std::holds_alternative<StraightLineTask>(problem.task));
+  write_options(json, problem.options, output_kind(problem.task) == OutputKind::line);
   if (!problem.view.empty() || !problem.outline.empty()) {
     json.key("view");
     json.json(view_text(problem));

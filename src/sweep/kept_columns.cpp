@@ -176,8 +176,7 @@ struct ColumnsOfTask {
 };
 
 bool errs_by_angle(const Task& task) {
-  return !std::holds_alternative<MotionTask>(task) && !std::holds_alternative<SixBarTask>(task) &&
-         !std::holds_alternative<StraightLineTask>(task);
+  return output_kind(task) == OutputKind::angle || output_kind(task) == OutputKind::turn;
 }
 
 void add_tolerances(ColumnList& list, const Task& task) {

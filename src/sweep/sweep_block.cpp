@@ -28,14 +28,6 @@ void put_linkage(TableRows& rows, std::span<const SweepColumn> columns, const nl
   }
 }
 
-/// By a search.
-std::int64_t linkages_looked_at(const Answer& answer) {
-  if (const auto* six_bars = std::get_if<SixBarAnswer>(&answer))
-    return six_bars->search ? six_bars->search->six_bars : 0;
-  const auto* lines = std::get_if<StraightLineAnswer>(&answer);
-  return lines && lines->search ? lines->search->drawn : 0;
-}
-
 /// Puts samples into rows one after another.
 class SampleWriter {
  public:
@@ -80,7 +72,7 @@ class SampleWriter {
     const Findings& found = findings(answer);
     const RegionCounts& counts = found.counts;
     if (is_search(problem.task)) {
-      samples().put(linkages_looked_at(answer));
+      samples().put(looked_at_by_search(answer).value_or(0));
     } else {
       for (const std::int64_t count :
            {counts.pairs, counts.defect_free, found.meeting_requirements, counts.order, counts.branch, counts.circuit})

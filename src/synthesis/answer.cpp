@@ -23,4 +23,14 @@ std::size_t linkage_count(const Answer& answer) {
   return std::visit([](const auto& of_kind) { return of_kind.linkages.size(); }, answer);
 }
 
+std::optional<std::int64_t> looked_at_by_search(const Answer& answer) {
+  return std::visit(
+      [](const auto& of_kind) -> std::optional<std::int64_t> {
+        if constexpr (requires { of_kind.search; })
+          if (of_kind.search) return of_kind.search->looked_at();
+        return std::nullopt;
+      },
+      answer);
+}
+
 }  // namespace linkwright

@@ -59,21 +59,18 @@ std::vector<Error> mistakes_in(const SynthesisOptions& options) {
 
 namespace {
 
-bool is_spherical(const Task& task) {
-  return std::holds_alternative<SphericalMotionTask>(task) || std::holds_alternative<SphericalFunctionTask>(task);
-}
-
-// Linkages that are searched for come from many maps, which are too many to be sampled.
-bool has_map(const Task& task) {
-  if (const auto* six_bar = std::get_if<SixBarTask>(&task)) return six_bar->chain.has_value();
-  const auto* line = std::get_if<StraightLineTask>(&task);
-  return line == nullptr || !std::holds_alternative<straight_cases::Search>(line->given);
-}
+bool is_spherical(const Task& task) { return &linkages(task) == &spherical_linkages; }
 
 ToleranceLimit::Kind limit_kind(const Task& task, ToleranceLimit::Kind asked) {
-  if (std::holds_alternative<StraightLineTask>(task)) return ToleranceLimit::Kind::deviation;
-  if (is_spherical(task) || std::holds_alternative<FunctionTask>(task)) return ToleranceLimit::Kind::angle;
-  return asked == ToleranceLimit::Kind::deviation ? ToleranceLimit::Kind::position : asked;
+  switch (output_kind(task)) {
+    case OutputKind::line:
+      return ToleranceLimit::Kind::deviation;
+    case OutputKind::angle:
+    case OutputKind::turn:
+      return ToleranceLimit::Kind::angle;
+    default:
+      return asked == ToleranceLimit::Kind::deviation ? ToleranceLimit::Kind::position : asked;
+  }
 }
 
 std::vector<Error> mistakes_in(const Task& task, const Tolerances& tolerances) {
@@ -102,7 +99,7 @@ std::vector<Error> mistakes_about_tolerances(const Task& task, const Requirement
       found.push_back({"no_limit", place,
                        "a yield needs \"limit\" in the tolerances: the error up to which a "
                        "linkage is good"});
-    else if (!has_map(task))
+    else if (is_search(task))  // linkages that are searched for come from many maps, which are too many to be sampled
       found.push_back({"tolerances_of_search", place,
                        "linkages that are searched for are not ranked by tolerances; search first, then ask this of "
                        "the map of one of them"});
@@ -129,7 +126,7 @@ std::vector<Error> mistakes_in_pareto(const Task& task, const std::array<Objecti
   if (std::find(objectives.begin(), objectives.end(), Objective::structural_error) != objectives.end())
     return {{"pareto_of_map", "options.pareto",
              "a structural error is no property of the map; choose two objectives that are"}};
-  if (!has_map(task))
+  if (is_search(task))
     return {{"pareto_of_search", "options.pareto",
              "linkages that are searched for come from many maps, which have no front in common; ask it of the map of "
              "one of them, or drop it"}};
@@ -148,17 +145,14 @@ std::vector<Error> mistakes_in(const Task& task, const Requirements& requirement
   const LinkageClass& asked = linkages(task);
   if (std::find(asked.objectives.begin(), asked.objectives.end(), options.objective) == asked.objectives.end())
     return {foreign_objective(options.objective, asked)};
-  if (!std::holds_alternative<StraightLineTask>(task) && options.line != LineMeasuring{})
+  if (output_kind(task) != OutputKind::line && options.line != LineMeasuring{})
     return {
         {"line_options", "options", "\"deviation\", \"stroke\" and \"measure\" belong to straight lines; remove them"}};
-  const auto* six_bar = std::get_if<SixBarTask>(&task);
-  if (options.at && six_bar != nullptr && !six_bar->chain)
+  if (options.at && is_search(task))
     return {{"place_of_search", "options.at",
-             "six-bars that are searched for have no solution region; give the chain, or drop the place"}};
-  const auto* line = std::get_if<StraightLineTask>(&task);
-  if (options.at && line != nullptr && std::holds_alternative<straight_cases::Search>(line->given))
-    return {{"place_of_search", "options.at",
-             "linkages of a search come from many maps; take the place to the task of one of them, or drop it"}};
+             output_kind(task) == OutputKind::line
+                 ? "linkages of a search come from many maps; take the place to the task of one of them, or drop it"
+                 : "six-bars that are searched for have no solution region; give the chain, or drop the place"}};
   if (options.objective != Objective::structural_error) return {};
   const WantedFunction* wanted = wanted_function(task);
   if (wanted != nullptr && wanted->function) return {};

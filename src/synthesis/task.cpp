@@ -17,10 +17,35 @@ const WantedFunction* wanted_function(const Task& task) {
       task);
 }
 
+OutputKind output_kind(const Task& task) {
+  return std::visit([](const auto& of_kind) { return of_kind.output; }, task);
+}
+
+std::span<const PrescribedPose> guided_poses(const Task& task) {
+  return std::visit(
+      [](const auto& of_kind) -> std::span<const PrescribedPose> {
+        if constexpr (requires { of_kind.poses; }) return of_kind.poses;
+        return {};
+      },
+      task);
+}
+
+std::span<const BodyPoints> points_of(const Task& task) {
+  return std::visit(
+      [](const auto& of_kind) -> std::span<const BodyPoints> {
+        if constexpr (requires { of_kind.points; }) return of_kind.points;
+        return {};
+      },
+      task);
+}
+
 bool is_search(const Task& task) {
-  if (const auto* six_bar = std::get_if<SixBarTask>(&task)) return !six_bar->chain;
-  const auto* line = std::get_if<StraightLineTask>(&task);
-  return line && std::holds_alternative<straight_cases::Search>(line->given);
+  return std::visit(
+      [](const auto& of_kind) {
+        if constexpr (requires { of_kind.is_search(); }) return of_kind.is_search();
+        return false;
+      },
+      task);
 }
 
 std::vector<Error> mistakes_in(const Task& task) {

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <cstddef>
+#include <cstdint>
 #include <span>
 #include <variant>
 #include <vector>
@@ -14,6 +15,10 @@
 #include "linkwright/mechanism/tracing_four_bar.hpp"
 
 namespace linkwright {
+
+/// What a task asks of its linkages, and what errors are of: the pose of a body in the plane, the output's angle, a
+/// body's turn about a centre, the distance of a point from a line.
+enum class OutputKind : std::uint8_t { pose, angle, turn, line };
 
 /// What is asked of a planar four-bar, and how it lies in each position of its task; errors are taken at the directions
 /// that the input has there.

@@ -3,6 +3,7 @@
 #include <vector>
 
 #include "linkwright/algebra/point.hpp"
+#include "linkwright/analysis/linkage_output.hpp"
 #include "linkwright/core/result.hpp"
 #include "linkwright/function/wanted_function.hpp"
 #include "linkwright/region/linkage_class.hpp"
@@ -12,6 +13,7 @@ namespace linkwright {
 /// Function generation by a planar four-bar on two given ground pivots.
 struct FunctionTask : WantedFunction {
   static constexpr const LinkageClass& linkages = planar_linkages;
+  static constexpr OutputKind output = OutputKind::angle;
 
   Point input_pivot = 0, output_pivot = 1;  ///< fixed frame, user's unit
 

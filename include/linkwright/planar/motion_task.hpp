@@ -4,6 +4,7 @@
 #include <optional>
 #include <vector>
 
+#include "linkwright/analysis/linkage_output.hpp"
 #include "linkwright/core/result.hpp"
 #include "linkwright/mechanism/pose.hpp"
 #include "linkwright/planar/body_points.hpp"
@@ -26,6 +27,7 @@ struct PivotOnLine {
 /// P-P-P to PPPPP.
 struct MotionTask {
   static constexpr const LinkageClass& linkages = planar_linkages;
+  static constexpr OutputKind output = OutputKind::pose;
 
   std::vector<PrescribedPose> poses;
   std::optional<ThreePoseGiven> given;  ///< three positions: what else is known; otherwise nothing

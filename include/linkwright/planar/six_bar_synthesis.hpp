@@ -58,6 +58,8 @@ struct SixBarSearchResult {
   std::int64_t defect_free = 0;          ///< of the ones driven
   bool interrupted = false;              ///< cancelled: the best so far
   Notice reason;                         ///< in words: searched, nothing_found, no_chain
+
+  [[nodiscard]] std::int64_t looked_at() const { return six_bars; }
 };
 
 /// Draws chains in the task's box, samples the six-bars of each, keeps the best that meet the requirements (all pivots

@@ -6,6 +6,7 @@
 #include <span>
 #include <vector>
 
+#include "linkwright/analysis/linkage_output.hpp"
 #include "linkwright/core/result.hpp"
 #include "linkwright/mechanism/pose.hpp"
 #include "linkwright/mechanism/six_bar.hpp"
@@ -38,6 +39,7 @@ struct ThreeLinkChain {
 /// chain is searched for, too, all pivots in `box`.
 struct SixBarTask {
   static constexpr const LinkageClass& linkages = planar_linkages;
+  static constexpr OutputKind output = OutputKind::pose;
 
   std::vector<PrescribedPose> poses;
   std::optional<ThreeLinkChain> chain;
@@ -45,6 +47,7 @@ struct SixBarTask {
   std::optional<Box> box;          ///< for all pivots in position 1; must be given where there is no chain
   std::vector<BodyPoints> points;  ///< what the poses were given by, in their order; empty: by themselves
 
+  [[nodiscard]] bool is_search() const { return !chain; }
   friend bool operator==(const SixBarTask&, const SixBarTask&) = default;
 };
 

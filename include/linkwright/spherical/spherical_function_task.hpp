@@ -4,6 +4,7 @@
 #include <vector>
 
 #include "linkwright/algebra/vector3.hpp"
+#include "linkwright/analysis/linkage_output.hpp"
 #include "linkwright/core/result.hpp"
 #include "linkwright/function/wanted_function.hpp"
 #include "linkwright/region/linkage_class.hpp"
@@ -14,6 +15,7 @@ namespace linkwright {
 /// (0, 0, 1), the output about the second, (sin α₄, 0, cos α₄), both right-handed, each from a datum of its own.
 struct SphericalFunctionTask : WantedFunction {
   static constexpr const LinkageClass& linkages = spherical_linkages;
+  static constexpr OutputKind output = OutputKind::angle;
 
   double ground_angle = 0;  ///< α₄ between the fixed axes, radians in (0, π)
 

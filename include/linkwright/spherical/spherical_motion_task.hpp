@@ -4,6 +4,7 @@
 #include <optional>
 #include <vector>
 
+#include "linkwright/analysis/linkage_output.hpp"
 #include "linkwright/core/result.hpp"
 #include "linkwright/mechanism/prescribed_orientation.hpp"
 #include "linkwright/region/linkage_class.hpp"
@@ -24,6 +25,7 @@ struct GivenAxes {
 /// derivatives counts as m + 1 positions; there are four or five of them, in any pattern, or three and given axes.
 struct SphericalMotionTask {
   static constexpr const LinkageClass& linkages = spherical_linkages;
+  static constexpr OutputKind output = OutputKind::turn;
 
   std::vector<PrescribedOrientation> orientations;
   std::optional<GivenAxes> given;  ///< three orientations only

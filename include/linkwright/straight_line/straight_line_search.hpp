@@ -26,6 +26,8 @@ struct StraightLineSearchResult {
   std::vector<StraightLineSolution> linkages;
   std::int64_t drawn = 0;  ///< places of all maps that were looked at
   bool interrupted = false;
+
+  [[nodiscard]] std::int64_t looked_at() const { return drawn; }
 };
 
 /// Looks over all cases, all layers and all that they leave open for linkages whose point runs straight over

@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "linkwright/algebra/directed_line.hpp"
+#include "linkwright/analysis/linkage_output.hpp"
 #include "linkwright/core/result.hpp"
 #include "linkwright/region/linkage_class.hpp"
 #include "linkwright/straight_line/mixed_contacts.hpp"
@@ -129,10 +130,12 @@ using StraightLineCase =
 /// A point of a four-bar's coupler that is to run along a line.
 struct StraightLineTask {
   static constexpr const LinkageClass& linkages = straight_line_linkages;
+  static constexpr OutputKind output = OutputKind::line;
 
   LineAtAngle line;
   StraightLineCase given;
 
+  [[nodiscard]] bool is_search() const { return std::holds_alternative<straight_cases::Search>(given); }
   friend bool operator==(const StraightLineTask&, const StraightLineTask&) = default;
 };
 

@@ -149,6 +149,9 @@ using Answer = std::variant<MotionAnswer, FunctionAnswer, SixBarAnswer, Spherica
 [[nodiscard]] const Findings& findings(const Answer& answer);
 [[nodiscard]] Findings& findings(Answer& answer);
 
+/// By a search, how many linkages were looked at; nothing: the answer is not that of a search.
+[[nodiscard]] std::optional<std::int64_t> looked_at_by_search(const Answer& answer);
+
 /// How many linkages are listed.
 [[nodiscard]] std::size_t linkage_count(const Answer& answer);
 

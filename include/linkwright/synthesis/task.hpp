@@ -1,5 +1,6 @@
 #pragma once
 
+#include <span>
 #include <variant>
 #include <vector>
 
@@ -20,6 +21,13 @@ using Task =
 
 /// What the linkages of a kind of task can be, and what can be asked of them.
 [[nodiscard]] const LinkageClass& linkages(const Task& task);
+
+[[nodiscard]] OutputKind output_kind(const Task& task);
+
+/// The poses of the body that the task guides in the plane; none where it guides none there.
+[[nodiscard]] std::span<const PrescribedPose> guided_poses(const Task& task);
+/// The points by which they were given; none: by themselves.
+[[nodiscard]] std::span<const BodyPoints> points_of(const Task& task);
 
 /// The function that a task asks for; null where it asks for none.
 [[nodiscard]] const WantedFunction* wanted_function(const Task& task);
