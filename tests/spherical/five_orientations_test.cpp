@@ -405,7 +405,18 @@ FiveOrientationDyads carefully(const FiveOrientations& task) {
   return dyads_of(orientations);
 }
 
-// Those of one task by the quick way are those by the careful one.
+bool has_a_link_as_long(const FiveOrientationDyads& found, std::size_t k) {
+  const auto cosine = [&](std::size_t i) {
+    const SphericalDyad& dyad = found.points[i].dyad;
+    return std::abs(dot(dyad.fixed_axis, dyad.moving_axis));
+  };
+  for (std::size_t i = 0; i < found.points.size(); ++i)
+    if (i != k && std::abs(cosine(i) - cosine(k)) < 1e-12) return true;
+  return false;
+}
+
+// Those of one task by the quick way are those by the careful one. Half turns alone have dyads in pairs whose axes have
+// changed places: nothing orders two links of one length.
 void compare(const SphericalDyads& quick, const FiveOrientations& task) {
   const FiveOrientationDyads found = carefully(task);
   ASSERT_EQ(quick.count, static_cast<int>(found.points.size()));
@@ -415,7 +426,9 @@ void compare(const SphericalDyads& quick, const FiveOrientations& task) {
     EXPECT_EQ(quick.dyads[k].coordinate, found.points[k].dyad.coordinate);
     EXPECT_EQ(quick.multiplicity[k], found.points[k].multiplicity);
     EXPECT_GE(dot(quick.dyads[k].fixed_axis, quick.dyads[k].moving_axis), 0);
-    EXPECT_LT(apart(quick.dyads[k], found.points[k].dyad), 2e-15 * found.points[k].condition);
+    const double off =
+        has_a_link_as_long(found, k) ? nearest(found, quick.dyads[k]) : apart(quick.dyads[k], found.points[k].dyad);
+    EXPECT_LT(off, 2e-15 * found.points[k].condition);
   }
 }
 
