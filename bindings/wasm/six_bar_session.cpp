@@ -8,6 +8,7 @@
 #include "linkwright/core/angle.hpp"
 #include "linkwright/planar/pose_conditions.hpp"
 #include "linkwright/planar/six_bar_synthesis.hpp"
+#include "linkwright/region/improved_linkage.hpp"
 #include "reply_json.hpp"
 #include "six_bar_reply.hpp"
 
@@ -127,7 +128,7 @@ std::vector<double> SixBarSession::trace(MapPoint place, Point traced, bool /*re
 }
 
 std::optional<MapPoint> SixBarSession::improved(MapPoint place, const Wish& wish) const {
-  return family_ ? improved_six_bar(*family_, wish.requirements, wish.objective, place, wish.added) : std::nullopt;
+  return family_ ? improved_linkage(*family_, wish.requirements, wish.objective, place, wish.added) : std::nullopt;
 }
 
 int SixBarSession::samples_for_best() const { return four_bar_samples_to_one * map_samples(samples_of_the_usual_map); }

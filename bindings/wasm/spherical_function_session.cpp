@@ -4,9 +4,9 @@
 #include <array>
 
 #include "function_reply.hpp"
+#include "linkwright/region/improved_linkage.hpp"
 #include "linkwright/spherical/spherical_function_search.hpp"
 #include "reply_json.hpp"
-#include "spherical/spherical_candidate.hpp"
 #include "spherical_reply.hpp"
 
 namespace linkwright::wasm {
@@ -119,7 +119,7 @@ std::optional<MapPoint> SphericalFunctionSession::improved(MapPoint place, const
   if (!family_) return std::nullopt;
   if (wish.objective == Objective::structural_error)
     return improved_generator(*family_, wish.requirements, place, wish.added);
-  return improved_place(SphericalEvaluator(*family_, wish.requirements, wish.objective, {}, wish.added), place);
+  return improved_linkage(*family_, wish.requirements, wish.objective, place, wish.added);
 }
 
 int SphericalFunctionSession::samples_for_best() const { return cells_of_the_map; }

@@ -4,8 +4,8 @@
 #include <cmath>
 
 #include "linkwright/core/angle.hpp"
+#include "linkwright/region/improved_linkage.hpp"
 #include "reply_json.hpp"
-#include "spherical/spherical_candidate.hpp"
 #include "spherical_reply.hpp"
 #include "spherical_travel.hpp"
 
@@ -91,10 +91,8 @@ std::vector<double> SphericalSession::trace(MapPoint /*place*/, Point /*traced*/
 }
 
 std::optional<MapPoint> SphericalSession::improved(MapPoint place, const Wish& wish) const {
-  return given_.family
-             ? improved_place(SphericalEvaluator(*given_.family, wish.requirements, wish.objective, {}, wish.added),
-                              place)
-             : std::nullopt;
+  return given_.family ? improved_linkage(*given_.family, wish.requirements, wish.objective, place, wish.added)
+                       : std::nullopt;
 }
 
 int SphericalSession::samples_for_best() const { return samples_of_the_map; }

@@ -6,8 +6,9 @@
 
 #include "files/straight_line/straight_line_kind.hpp"
 #include "linkwright/core/angle.hpp"
+#include "linkwright/region/cell_judge.hpp"
+#include "linkwright/region/improved_linkage.hpp"
 #include "reply_json.hpp"
-#include "straight_line/line_candidate.hpp"
 #include "straight_line_reply.hpp"
 #include "synthesis/straight_line_answer.hpp"
 
@@ -133,7 +134,8 @@ LinkageReply StraightLineSession::linkage(MapPoint place, FailureBits fails, boo
 }
 
 bool StraightLineSession::meets_exactly(MapPoint place, const Requirements& wanted) const {
-  return LineEvaluator(*family_, wanted, Objective::stroke).candidate(place).has_value();
+  const auto cell = family_->cell(place);
+  return cell && CellJudge(wanted, family_->linkages(), family_->measures()).passes(*cell);
 }
 
 Verification StraightLineSession::verify(MapPoint place, bool /*respect_direction*/) const {
@@ -147,8 +149,7 @@ std::vector<double> StraightLineSession::trace(MapPoint place, Point traced, boo
 }
 
 std::optional<MapPoint> StraightLineSession::improved(MapPoint place, const Wish& wish) const {
-  return family_ ? improved_place(LineEvaluator(*family_, wish.requirements, wish.objective, wish.added), place)
-                 : std::nullopt;
+  return family_ ? improved_linkage(*family_, wish.requirements, wish.objective, place, wish.added) : std::nullopt;
 }
 
 int StraightLineSession::samples_for_best() const { return samples_of_line_map; }

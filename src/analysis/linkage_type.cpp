@@ -31,6 +31,11 @@ GrashofExcesses grashof_excesses(const LinkLengths& l) {
           l.coupler + l.output - l.ground - l.input};
 }
 
+double change_point_margin(const LinkLengths& lengths) {
+  const GrashofExcesses t = grashof_excesses(lengths);
+  return std::min({std::abs(t.t1), std::abs(t.t2), std::abs(t.t3)}) / lengths.perimeter();
+}
+
 LinkageType linkage_type(const LinkLengths& lengths) {
   const double zero = tolerance::change_point * lengths.perimeter();
   if (!all_finite(lengths) || !(lengths.shortest() > zero)) return LinkageType::degenerate;

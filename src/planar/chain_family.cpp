@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <utility>
 
 #include "linkwright/core/angle.hpp"
@@ -74,6 +75,51 @@ MapPoint ChainFamily::point_of(const SixBarMember& member) const {
   return {tau_4, first ? six_bars_.second_coordinate(*first, tau_5) : tau_5};
 }
 
+std::span<const Measure> ChainFamily::measures() const { return planar_measures; }
+
+// A climb keeps to one number of branches of the curve of links 5.
+LinkageFamily::CellAt ChainFamily::cells(bool /*respect_direction*/) const {
+  return [this, first = std::optional<SixBarFamily::WithFirst>()](
+             MapPoint place, const auto& is_worth_it) mutable -> std::optional<Cell> {
+    if (!first || first->coordinate != place.input) first = six_bars_.with_first(place.input);
+    const auto member = first ? six_bars_.member(*first, six_bars_.second_tau(*first, place.output)) : std::nullopt;
+    if (!member) return std::nullopt;
+    SixBarRating rating{shape_of(member->six_bar), {}};
+    if (rating.shape.type == LinkageType::degenerate) return std::nullopt;
+    rating.drive.min_sine = std::numeric_limits<double>::quiet_NaN();
+    const auto rated = [&] {
+      Cell cell = cell_of(member->six_bar, rating);
+      cell.place = place;
+      cell.hill = first->second->curve->branches().size();
+      return cell;
+    };
+    if (!is_worth_it(rated())) return std::nullopt;
+    rating = rating_of(*member, false);
+    return rated();
+  };
+}
+
+double ChainFamily::distance(const Pivots& one, const Pivots& other) const {
+  double farthest = 0;
+  for (const auto hinges : {&Pivots::ground, &Pivots::moving})
+    for (std::size_t i = 0; i < (one.*hinges).size(); ++i)
+      farthest = std::max(farthest, norm((one.*hinges)[i] - (other.*hinges)[i]));
+  return farthest;
+}
+
+AxisStretch ChainFamily::stretch_around(Side side, MapPoint place) const {
+  const auto branch = [](const BurmesterCurve& curve, double tau, double unit) {
+    const bool has_length = curve.coordinate_length() > 0;  // a degenerate curve has no other places
+    return AxisStretch{unit * std::floor(tau), unit * (std::floor(tau) + (has_length ? 1 : 0)), has_length};
+  };
+  if (side == Side::input) return branch(*six_bars_.first().curve, place.input, 1);
+  const auto first = six_bars_.with_first(place.input);
+  if (!first) return LinkageFamily::stretch_around(side, place);
+  const BurmesterCurve& second = *first->second->curve;
+  return branch(second, six_bars_.second_tau(*first, place.output),
+                second_is_share() ? 1 / second.coordinate_length() : 1);
+}
+
 std::vector<double> ChainFamily::samples(Side side, int count, Spacing /*spacing*/) const {
   std::vector<double> coordinates;
   for (int i = 0; i < count; ++i) coordinates.push_back(axis(side).coordinate_length() * (i + 0.5) / count);
@@ -105,11 +151,7 @@ LinkageFamily::OutputOfCells ChainFamily::outputs_of(const RegionMap& map) const
 MapPivots ChainFamily::pivots(const RegionMap& map) const {
   const auto of_cell = [members = members_of(map)](std::size_t row, std::size_t column) -> std::optional<Pivots> {
     const auto member = members(row, column);
-    if (!member) return std::nullopt;
-    Pivots pivots;
-    for (const SixBarJoint& joint : member->six_bar.joints)
-      (is_on_ground(joint) ? pivots.ground : pivots.moving).push_back(in_space(joint.point));
-    return pivots;
+    return member ? std::optional(pivots_of(member->six_bar)) : std::nullopt;
   };
   return {{}, {}, of_cell};
 }

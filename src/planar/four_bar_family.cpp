@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <limits>
 
 #include "linkwright/core/tolerance.hpp"
 #include "linkwright/planar/four_bar_map.hpp"
@@ -38,15 +39,61 @@ std::optional<FourBar> four_bar_of(const DyadPair& links) {
   return FourBar{*a, *b, *c, *d};
 }
 
+Pivots pivots_of(const FourBar& bars) {
+  return {{in_space(bars.input_center), in_space(bars.output_center)},
+          {in_space(bars.input_circle), in_space(bars.output_circle)}};
+}
+
+FourBar four_bar_of(const Pivots& pivots) {
+  const auto in_plane = [](Vector3 p) { return Point{p.x, p.y}; };
+  return {in_plane(pivots.ground[0]), in_plane(pivots.moving[0]), in_plane(pivots.ground[1]),
+          in_plane(pivots.moving[1])};
+}
+
+namespace {
+
+// Before it is known what it does in the positions of the task.
+Cell still_cell(MapPoint place, const FourBar& bars, const WorkingFrame& frame) {
+  constexpr double not_known = std::numeric_limits<double>::quiet_NaN();
+  const LinkLengths lengths = bars.lengths();
+  Cell cell;
+  cell.type = linkage_type(lengths);
+  cell.values = {not_known, not_known, lengths.longest() / lengths.shortest(),
+                 frame.scale * lengths.longest()};  // planar_measures
+  cell.place = place;
+  cell.pivots = pivots_of(frame.to_user(bars));
+  cell.change_point_margin = change_point_margin(lengths);
+  return cell;
+}
+
+}  // namespace
+
+LinkageFamily::CellAt FourBarFamily::cells(bool respect_direction) const {
+  return [this, respect_direction, known = std::optional<DyadPair>()](
+             MapPoint place, const auto& is_worth_it) mutable -> std::optional<Cell> {
+    const auto links = known ? dyad_pair_reusing(place, *known) : dyad_pair(place);
+    const auto bars = links ? four_bar_of(*links) : std::nullopt;
+    if (!bars) return std::nullopt;
+    known = links;
+    Cell cell = still_cell(place, *bars, frame());
+    if (cell.type == LinkageType::degenerate || !is_worth_it(cell)) return std::nullopt;
+    const DefectReport report = find_defects(*bars, working_poses(place, *bars), respect_direction);
+    if (report.type == LinkageType::degenerate) return std::nullopt;
+    cell.type = report.type;
+    cell.hill = static_cast<std::size_t>(cell.type);
+    cell.defects = report.defects;
+    cell.values[0] = versine_of_angle(report.min_transmission_angle);
+    cell.values[1] = versine_of_angle(report.min_transmission_angle_full_turn);
+    return cell;
+  };
+}
+
 MapPivots FourBarFamily::pivots(const RegionMap& map) const {
   const auto links_at = dyad_pairs_of_cells(map.input_coordinates(), map.output_coordinates());
   const auto of_cell = [this, links_at](std::size_t row, std::size_t column) -> std::optional<Pivots> {
     const auto links = links_at(row, column);
     const auto bars = links ? four_bar_of(*links) : std::nullopt;
-    if (!bars) return std::nullopt;
-    const auto user = [&](Point p) { return in_space(frame().to_user(p)); };
-    return Pivots{{user(bars->input_center), user(bars->output_center)},
-                  {user(bars->input_circle), user(bars->output_circle)}};
+    return bars ? std::optional(pivots_of(frame().to_user(*bars))) : std::nullopt;
   };
   return {{}, {}, of_cell};
 }
@@ -59,9 +106,7 @@ FourBarFamily::DyadPairsOfCells FourBarFamily::dyad_pairs_of_cells(std::span<con
 std::optional<LinkageOutput> FourBarFamily::output(MapPoint place) const {
   const auto links = dyad_pair(place);
   const auto bars = links ? four_bar_of(*links) : std::nullopt;
-  if (!bars) return std::nullopt;
-  return output_of(place, {frame().to_user(bars->input_center), frame().to_user(bars->input_circle),
-                           frame().to_user(bars->output_center), frame().to_user(bars->output_circle)});
+  return bars ? std::optional(output_of(place, frame().to_user(*bars))) : std::nullopt;
 }
 
 LinkageOutput FourBarFamily::output_of(MapPoint place, const FourBar& bars) const {

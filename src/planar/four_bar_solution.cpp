@@ -17,41 +17,35 @@ std::optional<double> derivative_residual(const std::vector<HomogeneousMatrix>& 
   return std::max(residual_of(links.input, rows), residual_of(links.output, rows));
 }
 
-std::optional<FourBar> user_four_bar(const DyadPair& links, const WorkingFrame& frame) {
-  const auto bars = four_bar_of(links);
-  if (!bars) return std::nullopt;
-  return FourBar{frame.to_user(bars->input_center), frame.to_user(bars->input_circle),
-                 frame.to_user(bars->output_center), frame.to_user(bars->output_circle)};
-}
-
 }  // namespace
 
 std::optional<FourBarSolution> make_four_bar(const TaskFamily& given, MapPoint place, bool respect_direction,
                                              bool verify) {
   const auto links = given.family ? given.family->dyad_pair(place) : std::nullopt;
   const WorkingFrame& frame = given.frame();
-  const auto bars = links ? user_four_bar(*links, frame) : std::nullopt;
-  if (!bars) return std::nullopt;
-  const std::vector<PrescribedPose> poses = given.family->user_poses(place, *bars);
+  const auto seen = links ? four_bar_of(*links) : std::nullopt;
+  if (!seen) return std::nullopt;
+  const FourBar bars = frame.to_user(*seen);
+  const std::vector<PrescribedPose> poses = given.family->user_poses(place, bars);
   FourBarSolution solution;
   solution.input = frame.to_user(links->input);
   solution.output = frame.to_user(links->output);
-  solution.four_bar = *bars;
-  solution.lengths = bars->lengths();
-  solution.report = find_defects(*bars, poses, respect_direction);
+  solution.four_bar = bars;
+  solution.lengths = bars.lengths();
+  solution.report = find_defects(bars, poses, respect_direction);
   if (solution.report.type == LinkageType::degenerate) return std::nullopt;
-  solution.swapped = find_defects(bars->swapped(), poses, respect_direction);
+  solution.swapped = find_defects(bars.swapped(), poses, respect_direction);
   const LengthCheck lengths(poses);
-  solution.input_residual = lengths.residual(bars->input_center, bars->input_circle);
-  solution.output_residual = lengths.residual(bars->output_center, bars->output_circle);
+  solution.input_residual = lengths.residual(bars.input_center, bars.input_circle);
+  solution.output_residual = lengths.residual(bars.output_center, bars.output_circle);
   solution.residual = std::max(solution.input_residual, solution.output_residual);
-  if (given.relaxed) solution.pose_error = pose_error(*bars, poses, *given.relaxed);
+  if (given.relaxed) solution.pose_error = pose_error(bars, poses, *given.relaxed);
   solution.residual_derivatives = derivative_residual(given.derivative_rows, *links);
   if (verify) {
     // Hundreds of times as many as an ordinary circuit takes: beside a short link steps get as short.
     constexpr int max_steps = 50'000;
     const DriveThroughReport driven =
-        drive_through(*bars, poses, {.max_steps = max_steps, .respect_direction = respect_direction});
+        drive_through(bars, poses, {.max_steps = max_steps, .respect_direction = respect_direction});
     solution.verified_by_driving = driven.completed && driven.defects == solution.report.defects;
   }
   return solution;

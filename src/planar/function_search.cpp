@@ -2,18 +2,13 @@
 
 #include <cmath>
 
-#include "planar/candidate.hpp"
+#include "region/climb.hpp"
 
 namespace linkwright {
 namespace {
 
 // Two linkages are alike when no pivot differs by more than this share of the ground link.
 constexpr double alike = 0.02;
-
-FourBar to_user(const WorkingFrame& frame, const FourBar& bars) {
-  return {frame.to_user(bars.input_center), frame.to_user(bars.input_circle), frame.to_user(bars.output_center),
-          frame.to_user(bars.output_circle)};
-}
 
 class PlanarGenerators : public GeneratorSource {
  public:
@@ -26,9 +21,9 @@ class PlanarGenerators : public GeneratorSource {
   [[nodiscard]] std::optional<RankedGenerator> at(MapPoint place, const ErrorSampling& sampling) const override {
     const auto candidate = evaluator_.candidate(place);
     if (!candidate) return std::nullopt;
-    const FunctionError error = family_.error_of(to_user(family_.frame(), candidate->bars), place, sampling);
+    const FunctionError error = family_.error_of(four_bar_of(candidate->cell.pivots), place, sampling);
     if (!error.max_structural_error || !error.unreached.empty()) return std::nullopt;
-    return RankedGenerator{place, candidate->report.type, *error.max_structural_error};
+    return RankedGenerator{place, candidate->cell.type, *error.max_structural_error};
   }
 
   [[nodiscard]] bool are_alike(MapPoint one, MapPoint other) const override {
@@ -45,7 +40,7 @@ class PlanarGenerators : public GeneratorSource {
   }
 
   const FunctionFamily& family_;
-  CellEvaluator evaluator_;
+  Evaluator evaluator_;
 };
 
 }  // namespace

@@ -159,6 +159,11 @@ Homogeneous WorkingFrame::to_working(Homogeneous p) const {
   return {p.w, v.real(), v.imag()};
 }
 
+FourBar WorkingFrame::to_user(const FourBar& bars) const {
+  return {to_user(bars.input_center), to_user(bars.input_circle), to_user(bars.output_center),
+          to_user(bars.output_circle)};
+}
+
 Dyad WorkingFrame::to_user(const Dyad& dyad) const {
   return {to_user(dyad.center), to_user(dyad.circle), dyad.coordinate};
 }

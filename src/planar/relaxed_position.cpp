@@ -9,7 +9,7 @@
 #include "linkwright/core/precondition.hpp"
 #include "linkwright/planar/burmester_points.hpp"
 #include "linkwright/planar/pose_conditions.hpp"
-#include "planar/candidate.hpp"
+#include "region/climb.hpp"
 #include "region/window_look.hpp"
 
 namespace linkwright {
@@ -56,12 +56,14 @@ class PoseErrorSearch {
 
  private:
   [[nodiscard]] std::optional<double> error_of(const Candidate& candidate) const {
-    const auto error = pose_error(candidate.bars, family_.working_poses(candidate.place, candidate.bars), relaxed_);
+    const MapPoint place = candidate.cell.place;
+    const FourBar bars = *four_bar_of(*family_.dyad_pair(place));  // as they are in the working frame
+    const auto error = pose_error(bars, family_.working_poses(place, bars), relaxed_);
     return error ? std::optional(error->combined(relaxed_.size)) : std::nullopt;
   }
 
   const FourBarFamily& family_;
-  CellEvaluator evaluator_;
+  Evaluator evaluator_;
   RelaxedPose relaxed_;
   const Progress& progress_;
 };
@@ -145,8 +147,8 @@ class DroppedPositionSearch {
     if (starts.empty()) return false;
     const auto nearest = least(requirements, std::move(starts));
     if (!nearest) return false;
-    found.place = nearest->candidate.place;
-    found.linkage = make_four_bar(given_, nearest->candidate.place, respect_direction_, true);
+    found.place = nearest->candidate.cell.place;
+    found.linkage = make_four_bar(given_, nearest->candidate.cell.place, respect_direction_, true);
     if (!found.linkage || is_unconfirmed(*found.linkage)) {
       found.linkage.reset();
       return false;

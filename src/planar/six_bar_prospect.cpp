@@ -2,6 +2,8 @@
 
 #include <algorithm>
 
+#include "linkwright/planar/four_bar_map.hpp"
+
 namespace linkwright {
 namespace {
 
@@ -15,7 +17,7 @@ double farthest_hinge(const SixBar& a, const SixBar& b) {
 }  // namespace
 
 double score_of(Objective objective, const SixBarRating& rating) {
-  return score_of(objective, {rating.versine(), rating.shape.link_ratio, rating.shape.longest});
+  return rank_of(objective, planar_measures).score(rating.cell());
 }
 
 bool is_better(const SixBarProspect& a, const SixBarProspect& b) {

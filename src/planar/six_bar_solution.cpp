@@ -7,6 +7,8 @@
 #include "linkwright/analysis/six_bar_check.hpp"
 #include "linkwright/core/angle.hpp"
 #include "linkwright/core/tolerance.hpp"
+#include "linkwright/planar/four_bar_map.hpp"
+#include "linkwright/region/cell_judge.hpp"
 #include "planar/six_bar_rater.hpp"
 
 namespace linkwright {
@@ -88,8 +90,20 @@ MapCell SixBarRating::cell() const {
   MapCell cell;
   cell.type = shape.type;
   cell.defects = drive.defects;
-  cell.values = {static_cast<float>(versine()), 0, static_cast<float>(shape.link_ratio),
-                 static_cast<float>(shape.longest)};  // planar_measures
+  cell.values = {versine(), 0, shape.link_ratio, shape.longest};  // planar_measures
+  return cell;
+}
+
+Pivots pivots_of(const SixBar& six_bar) {
+  Pivots pivots;
+  for (const SixBarJoint& joint : six_bar.joints)
+    (is_on_ground(joint) ? pivots.ground : pivots.moving).push_back(in_space(joint.point));
+  return pivots;
+}
+
+Cell cell_of(const SixBar& six_bar, const SixBarRating& rating) {
+  Cell cell{rating.cell()};
+  cell.pivots = pivots_of(six_bar);
   return cell;
 }
 
@@ -110,24 +124,8 @@ std::vector<SixBarRating> ratings_of(std::span<const SixBarMember> members, Simd
   return ratings;
 }
 
-bool meets_by_shape(const Requirements& wanted, const SixBar& six_bar, const SixBarShape& shape) {
-  if (shape.type == LinkageType::degenerate || shape.link_ratio > wanted.max_link_ratio ||
-      shape.longest > wanted.max_length.value_or(Requirements::unlimited) ||
-      shape.longest < wanted.min_length.value_or(0) * shape.link_ratio)
-    return false;
-  if (!wanted.types.empty() && std::find(wanted.types.begin(), wanted.types.end(), shape.type) == wanted.types.end())
-    return false;
-  for (const SixBarJoint& joint : six_bar.joints) {
-    const std::optional<Box>& box = is_on_ground(joint) ? wanted.ground_pivots_within : wanted.moving_pivots_within;
-    if (box && !box->contains(joint.point)) return false;
-  }
-  return true;
-}
-
 bool meets(const Requirements& wanted, const SixBar& six_bar, const SixBarRating& rating) {
-  if (!meets_by_shape(wanted, six_bar, rating.shape)) return false;
-  if (wanted.no_defects && !(rating.drive.completed && rating.drive.defects.none())) return false;
-  return wanted.min_transmission_angle <= 0 || rating.min_transmission_angle() >= wanted.min_transmission_angle;
+  return CellJudge(wanted, planar_linkages, planar_measures).passes(cell_of(six_bar, rating));
 }
 
 Requirements with_defaults(Requirements wanted, const ThreeLinkChain& chain) {

@@ -7,17 +7,16 @@
 namespace linkwright {
 namespace {
 
-// What ranks the cells of a map: one of its measures.
 class Ranking {
  public:
   Ranking(const RegionMap& map, Objective objective)
-      : values_(map.values(measure_of(objective))), sign_(measure_of(objective).larger_is_better ? 1 : -1) {}
+      : rank_(rank_of(objective, map.measures())), values_(map.values(map.measures()[rank_.measure])) {}
 
-  [[nodiscard]] double score(std::size_t cell) const { return sign_ * static_cast<double>(values_[cell]); }
+  [[nodiscard]] double score(std::size_t cell) const { return rank_.sign * static_cast<double>(values_[cell]); }
 
  private:
+  Rank rank_;
   std::span<const float> values_;
-  double sign_;
 };
 
 bool same_branch(double tau, double other) { return std::floor(tau) == std::floor(other); }

@@ -149,6 +149,13 @@ static_assert(are_by_kind());
 
 }  // namespace
 
+std::vector<RequirementKind> kinds_of(FailureBits failures, RequirementKinds kinds) {
+  std::vector<RequirementKind> found;
+  for (std::size_t k = 0; k < kinds.size(); ++k)
+    if ((failures >> k & 1) != 0) found.push_back(kinds[k]);
+  return found;
+}
+
 std::span<const Criterion, requirement_kind_count> criteria() { return all_criteria; }
 
 double Criterion::limit(const Requirements& wanted) const {

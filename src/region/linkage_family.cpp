@@ -20,6 +20,27 @@ std::vector<double> LinkageFamily::samples(Side side, int count, Spacing /*spaci
   return coordinates;
 }
 
+std::optional<Cell> LinkageFamily::cell(MapPoint place, bool respect_direction) const {
+  return cells(respect_direction)(place, [](const Cell&) { return true; });
+}
+
+AxisStretch LinkageFamily::stretch_around(Side side, MapPoint place) const {
+  return axis(side).stretch_around(side == Side::input ? place.input : place.output);
+}
+
+double LinkageFamily::distance(const Pivots& one, const Pivots& other) const {
+  const auto farthest = [](const Hinges& of_one, const Hinges& of_other, bool backwards) {
+    double distance = 0;
+    for (std::size_t i = 0; i < of_one.size(); ++i)
+      distance = std::max(distance, norm(of_one[i] - of_other[backwards ? of_other.size() - 1 - i : i]));
+    return distance;
+  };
+  const auto named = [&](bool backwards) {
+    return std::max(farthest(one.ground, other.ground, backwards), farthest(one.moving, other.moving, backwards));
+  };
+  return std::min(named(false), named(true));
+}
+
 std::vector<double> samples_within(const LinkageFamily& family, Side side, const std::optional<MapWindow>& window,
                                    int count, Spacing spacing) {
   if (!window || family.axis(side).is_discrete()) return family.samples(side, count, spacing);

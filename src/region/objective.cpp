@@ -1,5 +1,6 @@
 #include "linkwright/region/objective.hpp"
 
+#include <algorithm>
 #include <array>
 
 namespace linkwright {
@@ -10,25 +11,20 @@ struct ObjectiveRow {
   Objective objective;
   std::string_view name;
   const Measure* by;  ///< the cells of a map; a larger or a smaller one is better, as it says
-  double RankedNumbers::*number;
 };
 
 constexpr std::array<ObjectiveRow, 10> objective_rows = {{
-    {Objective::min_transmission_angle, "min_transmission_angle", &measures::min_transmission_angle,
-     &RankedNumbers::transmission_versine},
-    {Objective::link_ratio, "link_ratio", &measures::link_ratio, &RankedNumbers::link_ratio},
-    {Objective::size, "size", &measures::longest_link, &RankedNumbers::longest_link},
+    {Objective::min_transmission_angle, "min_transmission_angle", &measures::min_transmission_angle},
+    {Objective::link_ratio, "link_ratio", &measures::link_ratio},
+    {Objective::size, "size", &measures::longest_link},
     // No map holds it: its cells are ranked by the transmission angle.
-    {Objective::structural_error, "structural_error", &measures::min_transmission_angle,
-     &RankedNumbers::transmission_versine},
-    {Objective::link_angle, "link_angle", &measures::min_link_angle, &RankedNumbers::link_versine},
-    {Objective::stroke, "stroke", &measures::stroke_over_longest, &RankedNumbers::stroke_over_longest},
-    {Objective::deviation, "deviation", &measures::deviation, &RankedNumbers::deviation},
-    {Objective::velocity_uniformity, "velocity_uniformity", &measures::velocity_nonuniformity,
-     &RankedNumbers::velocity_nonuniformity},
-    // What no family measures itself, AddedMeasures scores; alone linkages are ranked by the transmission angle.
-    {Objective::tolerance_error, "tolerance_error", &measures::tolerance_error, nullptr},
-    {Objective::yield, "yield", &measures::yield, nullptr},
+    {Objective::structural_error, "structural_error", &measures::min_transmission_angle},
+    {Objective::link_angle, "link_angle", &measures::min_link_angle},
+    {Objective::stroke, "stroke", &measures::stroke_over_longest},
+    {Objective::deviation, "deviation", &measures::deviation},
+    {Objective::velocity_uniformity, "velocity_uniformity", &measures::velocity_nonuniformity},
+    {Objective::tolerance_error, "tolerance_error", &measures::tolerance_error},
+    {Objective::yield, "yield", &measures::yield},
 }};
 
 constexpr bool are_in_order() {
@@ -46,10 +42,11 @@ std::string_view name(Objective objective) { return row_of(objective).name; }
 
 const Measure& measure_of(Objective objective) { return *row_of(objective).by; }
 
-double score_of(Objective objective, const RankedNumbers& numbers) {
-  const ObjectiveRow& by = row_of(objective);
-  if (!by.number) return numbers.transmission_versine;
-  return by.by->larger_is_better ? numbers.*by.number : -(numbers.*by.number);
+Rank rank_of(Objective objective, std::span<const Measure> measures) {
+  const auto place_of = [&](const Measure& measure) { return std::find(measures.begin(), measures.end(), measure); };
+  auto by = place_of(measure_of(objective));
+  if (by == measures.end()) by = place_of(measures::min_transmission_angle);
+  return {static_cast<std::size_t>(by - measures.begin()), by->larger_is_better ? 1.0 : -1.0};
 }
 
 }  // namespace linkwright

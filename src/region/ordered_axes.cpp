@@ -6,8 +6,8 @@
 namespace linkwright {
 
 Hill OrderedAxes::hill(std::function<std::optional<double>(double, double)> score_at, MapPoint around) const {
-  AxisStretch first = family_.axis(Side::input).stretch_around(around.input),
-              second = family_.axis(Side::output).stretch_around(around.output);
+  AxisStretch first = family_.stretch_around(Side::input, around),
+              second = family_.stretch_around(Side::output, around);
   if (swapped_) std::swap(first, second);
   return {std::move(score_at), first, second};
 }

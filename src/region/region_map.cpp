@@ -95,7 +95,7 @@ void RegionMap::put(std::size_t row, std::size_t column, const MapCell& verdict)
   const std::size_t cell = index(row, column);
   type_.data()[cell] = static_cast<std::uint8_t>(verdict.type);
   defects_.data()[cell] = verdict.defects.bits;
-  for (std::size_t i = 0; i < values_.size(); ++i) values_[i].data()[cell] = verdict.values[i];
+  for (std::size_t i = 0; i < values_.size(); ++i) values_[i].data()[cell] = static_cast<float>(verdict.values[i]);
 }
 
 void RegionMap::leave_empty(std::size_t row_begin, std::size_t row_end) {

@@ -4,7 +4,6 @@
 #include <bit>
 #include <cmath>
 #include <fmt/format.h>
-#include <limits>
 #include <mutex>
 #include <tuple>
 
@@ -27,10 +26,6 @@ double rounded(double exact, bool upwards) {
   return (upwards ? std::ceil(steps) : std::floor(steps)) * larger / smaller;
 }
 
-bool holds(const PivotWindow& place, const std::vector<Vector3>& hinges) {
-  return std::all_of(hinges.begin(), hinges.end(), [&](Vector3 hinge) { return contains(place, hinge); });
-}
-
 }  // namespace
 
 double RequirementFilter::Bound::value(std::size_t cell) const {
@@ -41,66 +36,27 @@ double RequirementFilter::Bound::value(std::size_t cell) const {
 
 RequirementFilter::RequirementFilter(const RegionMap& map, const Requirements& requirements,
                                      const std::function<MapPivots()>& pivots, const LinkageClass& linkages)
-    : map_(&map), requirements_(requirements), kinds_(linkages.requirements) {
-  require(kinds_.size() <= max_requirements, "a class has no more requirements than there are bits");
-  require(requirements.max_length || place_among(kinds_, RequirementKind::max_length) == kinds_.size(),
+    : map_(&map), requirements_(requirements), judge_(requirements, linkages, map.measures()) {
+  require(kinds().size() <= max_requirements, "a class has no more requirements than there are bits");
+  require(requirements.max_length || place_among(kinds(), RequirementKind::max_length) == kinds().size(),
           "max_length is set");
-  verdict_failures_ = verdict_failures();
-  for (const RequirementKind kind : kinds_) add_bound(criterion(kind));
-  if (!pivots) return;
-  add_places();
-  if (places_.empty()) return;
+  for (std::size_t code = 0; code < 8 * linkage_type_count; ++code)
+    verdict_failures_.push_back(
+        judge_.failures(static_cast<LinkageType>(code / 8), Defects{static_cast<std::uint8_t>(code % 8)}));
+  const auto column = [&](std::size_t measure) { return map.values(map.measures()[measure]); };
+  for (const CellJudge::Bound& bound : judge_.bounds())
+    bounds_.push_back({bound.asked->kind, bound.bit, *bound.asked->of, column(bound.of),
+                       bound.per ? column(*bound.per) : std::span<const float>{}, static_cast<float>(bound.limit),
+                       bound.is_least()});
+  if (!pivots || judge_.places().empty()) return;
   pivots_ = pivots();
   for (const GroundedLinkPivots& link : pivots_.rows) input_place_failures_.push_back(place_failures(link));
   for (const GroundedLinkPivots& link : pivots_.columns) output_place_failures_.push_back(place_failures(link));
 }
 
-void RequirementFilter::add_bound(const Criterion& asked) {
-  if (!asked.is_number() || map_->values(*asked.of).empty()) return;
-  constexpr double finite = std::numeric_limits<float>::max();
-  const double limit = asked.limit(requirements_), most = asked.lets_infinite_pass ? limit : std::min(limit, finite);
-  const double stored = asked.of->stored == Measure::Stored::as_versine ? versine_of_angle(most) : most;
-  bounds_.push_back({asked.kind, bit(asked.kind), *asked.of, map_->values(*asked.of),
-                     asked.per ? map_->values(*asked.per) : std::span<const float>{}, static_cast<float>(stored),
-                     asked.rule == Criterion::Rule::at_least});
-}
-
-void RequirementFilter::add_places() {
-  for (const RequirementKind kind : kinds_) {
-    const Criterion& asked = criterion(kind);
-    const auto within = asked.window(requirements_);
-    if (!within) continue;
-    const bool of_ground = asked.rule == Criterion::Rule::ground_inside;
-    places_.push_back({kind, bit(kind), of_ground ? &GroundedLinkPivots::ground : &GroundedLinkPivots::moving,
-                       of_ground ? &Pivots::ground : &Pivots::moving, *within});
-  }
-}
-
-FailureBits RequirementFilter::bit(RequirementKind kind) const {
-  return static_cast<FailureBits>(1u << place_among(kinds_, kind));
-}
-
-// What a cell fails by its type and its defects.
-std::vector<FailureBits> RequirementFilter::verdict_failures() const {
-  const Requirements& wanted = requirements_;
-  std::vector<FailureBits> failures(8 * linkage_type_count);
-  for (std::size_t type = 0; type < linkage_type_count; ++type)
-    for (std::size_t defects = 0; defects < 8; ++defects) {
-      const auto named = std::find(wanted.types.begin(), wanted.types.end(), static_cast<LinkageType>(type));
-      unsigned failed = 0;
-      if (!wanted.types.empty() && named == wanted.types.end()) failed |= bit(RequirementKind::types);
-      if (wanted.no_defects && defects != 0) failed |= bit(RequirementKind::no_defects);
-      // A class that has no such requirement lets no defect pass.
-      if (defects != 0 && place_among(kinds_, RequirementKind::no_defects) == kinds_.size()) failed = all_failures;
-      if (type == static_cast<std::size_t>(LinkageType::degenerate)) failed = all_failures;
-      failures[type * 8 + defects] = static_cast<FailureBits>(failed);
-    }
-  return failures;
-}
-
 FailureBits RequirementFilter::place_failures(const GroundedLinkPivots& link) const {
   unsigned failed = 0;
-  for (const Place& place : places_) {
+  for (const Place& place : judge_.places()) {
     const std::optional<Vector3>& hinge = link.*place.of_link;
     if (!hinge || !contains(place.within, *hinge)) failed |= place.bit;
   }
@@ -110,11 +66,11 @@ FailureBits RequirementFilter::place_failures(const GroundedLinkPivots& link) co
 double RequirementFilter::distance_to_windows(std::size_t row, std::size_t column) const {
   const std::size_t cell = map_->index(row, column);
   if (map_->type(cell) == LinkageType::degenerate) return Requirements::unlimited;
-  if (places_.empty()) return 0;
+  if (judge_.places().empty()) return 0;
   const auto found = pivots(cell);
   if (!found) return Requirements::unlimited;
   double farthest = 0;
-  for (const Place& place : places_)
+  for (const Place& place : judge_.places())
     for (const Vector3 hinge : (*found).*place.of_linkage)
       farthest = std::max(farthest, distance_to(place.within, hinge));
   return farthest;
@@ -129,8 +85,8 @@ unsigned RequirementFilter::place_failures_at(std::size_t row, std::size_t colum
   if (!pivots_.of_cell || map_->type(map_->index(row, column)) == LinkageType::degenerate) return 0;
   const auto found = pivots_.of_cell(row, column);
   unsigned failed = 0;
-  for (const Place& place : places_)
-    if (!found || !holds(place.within, (*found).*place.of_linkage)) failed |= place.bit;
+  for (const Place& place : judge_.places())
+    if (!found || !place.holds(*found)) failed |= place.bit;
   return failed;
 }
 
@@ -170,10 +126,8 @@ std::optional<JointRelaxation> RequirementCensus::joint_relaxation() const {
   for (std::size_t set = 1; set < failing.size(); ++set)
     if (failing[set] > 0 && (best == 0 || dearness(set) < dearness(best))) best = set;
   if (best == 0 || meeting > 0) return std::nullopt;
-  JointRelaxation joint{{}, failing[best]};  // no smaller set holds a cell
-  for (std::size_t k = 0; k < kinds.size(); ++k)
-    if ((best >> k & 1) != 0) joint.requirements.push_back(kinds[k]);
-  return joint;
+  return JointRelaxation{kinds_of(static_cast<FailureBits>(best), kinds),
+                         failing[best]};  // no smaller set holds a cell
 }
 
 FailureBits RequirementFilter::failures(std::size_t row, std::size_t column) const {
@@ -192,7 +146,7 @@ void RequirementFilter::failures_of_row(std::size_t row, FailureBits* failures) 
         verdict_failures_[static_cast<std::size_t>(map_->types()[first + k] * 8 + map_->defects()[first + k])];
   for (const Bound& bound : bounds_)
     for (std::size_t k = 0; k < count; ++k) failures[k] |= bound.excludes(first + k) ? bound.bit : FailureBits{0};
-  for (std::size_t k = 0; k < count && !places_.empty(); ++k)
+  for (std::size_t k = 0; k < count && !judge_.places().empty(); ++k)
     failures[k] |= static_cast<FailureBits>(place_failures_at(row, k));
 }
 
@@ -241,7 +195,7 @@ class CensusCounter {
 }  // namespace
 
 RequirementCensus RequirementFilter::census(const Progress& progress) const {
-  RequirementCensus total{kinds_};
+  RequirementCensus total{kinds()};
   std::mutex adding;
   parallel_for(map_->rows(), map_->threads(), [&](std::size_t begin, std::size_t end) {
     CensusCounter part;
@@ -259,7 +213,7 @@ RequirementCensus RequirementFilter::census(const Progress& progress) const {
 RequirementCensus RequirementFilter::census(std::span<const FailureBits> failures) const {
   CensusCounter counter;
   counter.count(failures, map_->types());
-  RequirementCensus total{kinds_};
+  RequirementCensus total{kinds()};
   counter.add_to(total);
   return total;
 }
@@ -316,7 +270,7 @@ std::optional<Pivots> RequirementFilter::pivots(std::size_t cell) const {
 
 namespace {
 
-Box grown_to(Box box, const std::vector<Vector3>& points) {
+Box grown_to(Box box, const Hinges& points) {
   for (const Vector3 p : points)
     box = {std::min(box.x_low, p.x), std::max(box.x_high, p.x), std::min(box.y_low, p.y), std::max(box.y_high, p.y)};
   return box;
@@ -347,10 +301,12 @@ void RequirementFilter::put_box(Relaxation& relaxation, const Cells& cells, cons
   }
   if (!nearest) return;
   const Box box = with_round_growth(asked, *nearest);
+  Place relaxed = place;
+  relaxed.within = box;
   std::int64_t gained = 0;
   for (const std::size_t cell : cells) {
     const auto found = pivots(cell);
-    gained += found && holds(box, (*found).*place.of_linkage);
+    gained += found && relaxed.holds(*found);
   }
   if (gained == 0) return;  // rounding of a border kept out the only one
   relaxation.box = box;
@@ -361,7 +317,7 @@ void RequirementFilter::put_relaxed(Relaxation& relaxation, const Cells& cells) 
   for (const Bound& bound : bounds_)
     if (bound.kind == relaxation.requirement)
       put_value(relaxation, cells, bound.is_least, [&](std::size_t cell) { return std::optional(bound.value(cell)); });
-  for (const Place& place : places_) {
+  for (const Place& place : judge_.places()) {
     if (place.kind != relaxation.requirement) continue;
     std::holds_alternative<Box>(place.within) ? put_box(relaxation, cells, place)
                                               : put_half_angle(relaxation, cells, place);
@@ -372,11 +328,11 @@ std::vector<Relaxation> RequirementFilter::relaxations(const RequirementCensus& 
                                                        const Progress& progress) const {
   std::vector<Relaxation> found;
   const std::array<Cells, max_requirements> cells = cells_failing_one(progress);
-  for (std::size_t k = 0; k < kinds_.size(); ++k) {
-    const std::int64_t only_this = census.failing_only(kinds_[k]);
-    const Criterion& asked = criterion(kinds_[k]);
+  for (std::size_t k = 0; k < kinds().size(); ++k) {
+    const std::int64_t only_this = census.failing_only(kinds()[k]);
+    const Criterion& asked = criterion(kinds()[k]);
     if (only_this == 0 || (!asked.lets_infinite_pass && !asked.has_limit(requirements_))) continue;
-    Relaxation relaxation{kinds_[k], only_this, std::nullopt, std::nullopt, census.meeting + only_this};
+    Relaxation relaxation{kinds()[k], only_this, std::nullopt, std::nullopt, census.meeting + only_this};
     put_relaxed(relaxation, cells[k]);
     found.push_back(relaxation);
   }

@@ -11,8 +11,9 @@
 #include "linkwright/region/hill_tops.hpp"
 #include "linkwright/region/requirement_filter.hpp"
 #include "linkwright/spherical/spherical_position.hpp"
+#include "region/climb.hpp"
+#include "region/ordered_axes.hpp"
 #include "region/window_look.hpp"
-#include "spherical/spherical_candidate.hpp"
 
 namespace linkwright {
 namespace {
@@ -40,9 +41,8 @@ Remainder without(const SphericalMotionTask& task, std::size_t dropped) {
   return left;
 }
 
-std::vector<SphericalCandidate> nearest_cells(const Remainder& left, const RegionMap& map,
-                                              const RequirementFilter& filter, const SphericalEvaluator& evaluator,
-                                              const RegionOptions& options) {
+std::vector<Candidate> nearest_cells(const Remainder& left, const RegionMap& map, const RequirementFilter& filter,
+                                     const Evaluator& evaluator, const RegionOptions& options) {
   std::vector<double> score(map.rows() * map.columns(), no_score);
   const auto place_of = [&](std::size_t row, std::size_t column) {
     return MapPoint{map.input_coordinates()[row], map.output_coordinates()[column]};
@@ -58,7 +58,7 @@ std::vector<SphericalCandidate> nearest_cells(const Remainder& left, const Regio
   });
   const auto score_at = [&](std::size_t row, std::size_t column) { return score[map.index(row, column)]; };
   const auto any = [](std::size_t, std::size_t, std::size_t, std::size_t) { return true; };
-  std::vector<SphericalCandidate> found;
+  std::vector<Candidate> found;
   for (const RankedCell& cell :
        hill_tops(map.rows(), map.columns(), {map.rows() / 20 + 1, starts, options.threads}, score_at, any))
     if (const auto candidate = evaluator.candidate(place_of(cell.row, cell.column))) found.push_back(*candidate);
@@ -74,17 +74,17 @@ bool find_nearest(const Remainder& left, const Requirements& wanted, const Regio
   family.classify(map, places, places, wanted.respect_direction, options, progress);
   const RequirementFilter filter = filter_of(family, map, wanted);
   found.meeting = filter.census(progress).meeting;
-  const SphericalEvaluator evaluator(family, wanted, Objective::min_transmission_angle);
-  Ascent<SphericalCandidate> ascent;
+  const Evaluator evaluator(family, wanted, Objective::min_transmission_angle);
+  Ascent ascent;
   const double step = longest_axis(family) / samples_of_a_map;
   ascent.first_step = {step, step};
   ascent.resolution = 1e-6;
-  ascent.score = [&](const SphericalCandidate& candidate) -> std::optional<double> {
-    const auto error = left.error_of(candidate.bars);
+  ascent.score = [&](const Candidate& candidate) -> std::optional<double> {
+    const auto error = left.error_of(spherical_four_bar_of(candidate.cell.pivots));
     return error ? std::optional(-*error) : std::nullopt;
   };
   double least = pi;
-  std::vector<SphericalCandidate> feet = nearest_cells(left, map, filter, evaluator, options);
+  std::vector<Candidate> feet = nearest_cells(left, map, filter, evaluator, options);
   if (feet.empty()) {
     const MapMaking making{[&](RegionMap& part, std::span<const double> input, std::span<const double> output) {
                              family.classify(part, input, output, wanted.respect_direction, options, progress);
@@ -96,16 +96,17 @@ bool find_nearest(const Remainder& left, const Requirements& wanted, const Regio
       feet.insert(feet.end(), more.begin(), more.end());
     }
   }
-  for (const SphericalCandidate& foot : feet) {
-    const SphericalCandidate end = climbed(evaluator, foot, ascent, progress);
-    const auto error = orientation_error(end.bars, left.task.orientations.front().orientation, left.wanted);
+  for (const Candidate& foot : feet) {
+    const Candidate end = climbed(evaluator, foot, ascent, progress);
+    const auto error = orientation_error(spherical_four_bar_of(end.cell.pivots),
+                                         left.task.orientations.front().orientation, left.wanted);
     if (!error || error->angle >= least) continue;
     constexpr bool verify = true;
-    auto made = make_spherical_four_bar(left.given, end.place, wanted.respect_direction, verify);
+    auto made = make_spherical_four_bar(left.given, end.cell.place, wanted.respect_direction, verify);
     if (!made || is_unconfirmed(*made)) continue;
     least = error->angle;
     found.error = *error;
-    found.place = end.place;
+    found.place = end.cell.place;
     found.linkage = std::move(made);
   }
   return found.linkage.has_value();

@@ -1,9 +1,12 @@
 #include "linkwright/spherical/spherical_family.hpp"
 
+#include <algorithm>
 #include <cmath>
+#include <limits>
 
 #include "linkwright/core/angle.hpp"
-#include "linkwright/spherical/spherical_map.hpp"
+#include "linkwright/spherical/spherical_defects.hpp"
+#include "linkwright/spherical/spherical_type.hpp"
 #include "spherical/spherical_cells.hpp"
 
 namespace linkwright {
@@ -21,6 +24,63 @@ MapAxis axis_of_points(std::size_t count) {
 SphericalFourBar four_bar_of(const SphericalDyadPair& links) {
   return with_short_links(
       {links.input.fixed_axis, links.input.moving_axis, links.output.moving_axis, links.output.fixed_axis});
+}
+
+Pivots pivots_of(const SphericalFourBar& bars) {
+  return {{bars.input_fixed, bars.output_fixed}, {bars.input_moving, bars.output_moving}};
+}
+
+SphericalFourBar spherical_four_bar_of(const Pivots& pivots) {
+  return {pivots.ground[0], pivots.moving[0], pivots.moving[1], pivots.ground[1]};
+}
+
+namespace {
+
+// Before it is known what it does in the orientations of the task.
+Cell still_spherical_cell(MapPoint place, const SphericalFourBar& bars) {
+  constexpr double not_known = std::numeric_limits<double>::quiet_NaN();
+  const LinkAngles angles = bars.angles();
+  Cell cell;
+  cell.type = linkage_type(angles);
+  cell.values = {not_known, not_known, versine_of_angle(angles.shortest()),
+                 versine_of_angle(angles.longest())};  // spherical_measures
+  cell.place = place;
+  cell.pivots = pivots_of(bars);
+  cell.change_point_margin = change_point_margin(angles);
+  return cell;
+}
+
+}  // namespace
+
+LinkageFamily::CellAt SphericalFamily::cells(bool respect_direction) const {
+  return [this, respect_direction, known = std::optional<SphericalDyadPair>()](
+             MapPoint place, const auto& is_worth_it) mutable -> std::optional<Cell> {
+    const auto links = known ? dyad_pair_reusing(place, *known) : dyad_pair(place);
+    if (!links) return std::nullopt;
+    known = links;
+    const SphericalFourBar bars = four_bar(*links);
+    Cell cell = still_spherical_cell(place, bars);
+    if (cell.type == LinkageType::degenerate || !is_worth_it(cell)) return std::nullopt;
+    const DefectReport report = find_defects(bars, orientations(place, bars), respect_direction);
+    if (report.type == LinkageType::degenerate) return std::nullopt;
+    cell.type = report.type;
+    cell.hill = static_cast<std::size_t>(cell.type);
+    cell.defects = report.defects;
+    cell.values[0] = versine_of_angle(report.min_transmission_angle);
+    cell.values[1] = versine_of_angle(report.min_transmission_angle_full_turn);
+    return cell;
+  };
+}
+
+double SphericalFamily::distance(const Pivots& one, const Pivots& other) const {
+  // 1 − |cos| of the largest angle.
+  const auto farthest = [](const SphericalFourBar& a, const SphericalFourBar& b) {
+    const auto apart = [](Vector3 p, Vector3 q) { return 1 - std::abs(dot(p, q)); };
+    return std::max({apart(a.input_fixed, b.input_fixed), apart(a.input_moving, b.input_moving),
+                     apart(a.output_fixed, b.output_fixed), apart(a.output_moving, b.output_moving)});
+  };
+  const SphericalFourBar a = spherical_four_bar_of(one), b = spherical_four_bar_of(other);
+  return std::sqrt(std::max(0.0, 2 * std::min(farthest(a, b), farthest(a, b.swapped()))));
 }
 
 std::optional<LinkageOutput> SphericalFamily::output(MapPoint place) const {

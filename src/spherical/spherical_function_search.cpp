@@ -3,7 +3,7 @@
 #include <cmath>
 
 #include "linkwright/core/angle.hpp"
-#include "spherical/spherical_candidate.hpp"
+#include "region/climb.hpp"
 
 namespace linkwright {
 namespace {
@@ -19,9 +19,9 @@ class SphericalGenerators : public GeneratorSource {
   [[nodiscard]] std::optional<RankedGenerator> at(MapPoint place, const ErrorSampling& sampling) const override {
     const auto candidate = evaluator_.candidate(place);
     if (!candidate) return std::nullopt;
-    const FunctionError error = family_.error_of(candidate->bars, place, sampling);
+    const FunctionError error = family_.error_of(spherical_four_bar_of(candidate->cell.pivots), place, sampling);
     if (!error.max_structural_error || !error.unreached.empty()) return std::nullopt;
-    return RankedGenerator{place, candidate->report.type, *error.max_structural_error};
+    return RankedGenerator{place, candidate->cell.type, *error.max_structural_error};
   }
 
   [[nodiscard]] bool are_alike(MapPoint one, MapPoint other) const override {
@@ -38,7 +38,7 @@ class SphericalGenerators : public GeneratorSource {
   }
 
   const SphericalFunctionFamily& family_;
-  SphericalEvaluator evaluator_;
+  Evaluator evaluator_;
 };
 
 }  // namespace

@@ -17,6 +17,12 @@ double smallest_magnitude(const SphericalExcesses& t) {
   return std::min({std::abs(t.t1), std::abs(t.t2), std::abs(t.t3), std::abs(t.t4)});
 }
 
+double together(const LinkAngles& angles) {
+  double sum = 0;
+  for (const double arc : angles.all()) sum += acute_angle(arc);
+  return sum;
+}
+
 }  // namespace
 
 SphericalExcesses spherical_excesses(const LinkAngles& l) {
@@ -24,15 +30,14 @@ SphericalExcesses spherical_excesses(const LinkAngles& l) {
   return {frame + rest, frame - rest, l.coupler + l.output - (l.ground + l.input), two_pi - l.sum()};
 }
 
+double change_point_margin(const LinkAngles& angles) {
+  return smallest_magnitude(spherical_excesses(angles)) / together(angles);
+}
+
 LinkageType linkage_type(const LinkAngles& angles) {
-  double shortest = pi, together = 0;
-  for (const double arc : angles.all()) {
-    shortest = std::min(shortest, acute_angle(arc));
-    together += acute_angle(arc);
-  }
   const SphericalExcesses t = spherical_excesses(angles);
-  const double zero = tolerance::change_point * together;
-  if (!(shortest > zero)) return LinkageType::degenerate;
+  const double zero = tolerance::change_point * together(angles);
+  if (!(angles.shortest() > zero)) return LinkageType::degenerate;
   if (!(smallest_magnitude(t) > zero)) return LinkageType::change_point;
   const bool passes_0 = t.t1 * t.t2 > 0, passes_pi = t.t3 * t.t4 > 0, output_crank = t.t1 * t.t3 < 0;
   if (passes_0 != passes_pi) return LinkageType::triple_rocker;

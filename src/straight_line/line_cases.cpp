@@ -28,13 +28,13 @@ Point rotated(Point vector, Point by) {
 
 // The canonical frame of a pole at a signed distance c from the point, along the line's right normal (docs: "From the
 // line to the canonical frame"); the point is on the ray `point_ray` from the pole.
-struct PoleFrame {
+struct RayFrame {
   Point point{}, pole{};
   Point tangent{};  // unit vector
   double bend = 0;  // 1/D, signed: D = c / sin ψC
   double scale = 0;
 
-  PoleFrame(const DirectedLine& line, double c, Point point_ray)
+  RayFrame(const DirectedLine& line, double c, Point point_ray)
       : point(line.point),
         pole(line.point + c * line.left()),
         tangent(rotated(-line.left(), std::conj(point_ray))),
@@ -59,7 +59,7 @@ Point unit(Point vector) { return vector / std::sqrt(std::norm(vector)); }
 Point ray_of(double numerator, double denominator) { return unit({denominator, numerator}); }
 
 LineDesigns three_pairs(const std::array<SideLink, 3>& links, const std::array<std::array<int, 2>, 3>& pairs,
-                        const PoleFrame& frame) {
+                        const RayFrame& frame) {
   LineDesigns designs;
   for (std::size_t k = 0; k < pairs.size(); ++k)
     designs[k] = four_bar_of(links[static_cast<std::size_t>(pairs[k][0])], links[static_cast<std::size_t>(pairs[k][1])],
@@ -71,14 +71,14 @@ constexpr std::array<std::array<int, 2>, 3> ab_ad_bd = {{{0, 1}, {0, 2}, {1, 2}}
                                             ab_db_ad = {{{0, 1}, {2, 1}, {0, 2}}};
 
 // m and n of the cubic by the three tangents whose product is −m/n; t_C + μ = (1/D)/n with μ = m/n.
-std::array<double, 2> cubic_through(const PoleFrame& frame, Point point_ray, const std::array<Point, 3>& rays) {
+std::array<double, 2> cubic_through(const RayFrame& frame, Point point_ray, const std::array<Point, 3>& rays) {
   const double cosines = rays[0].real() * rays[1].real() * rays[2].real(),
                sines = rays[0].imag() * rays[1].imag() * rays[2].imag();
   const double below = point_ray.imag() * cosines - point_ray.real() * sines;
   return {-frame.bend * point_ray.real() * sines / below, frame.bend * point_ray.real() * cosines / below};
 }
 
-LineDesigns of_three_rays(const PoleFrame& frame, Point point_ray, const std::array<Point, 3>& rays) {
+LineDesigns of_three_rays(const RayFrame& frame, Point point_ray, const std::array<Point, 3>& rays) {
   const auto [m, n] = cubic_through(frame, point_ray, rays);
   return three_pairs({frame.on_cubic(m, n, rays[0]), frame.on_cubic(m, n, rays[1]), frame.on_cubic(m, n, rays[2])},
                      ab_ad_bd, frame);
@@ -116,7 +116,7 @@ LineDesigns designs_of(const FourPointPivots& given, const DirectedLine& line, P
 
 LineDesigns designs_of(const FourPointCubic& given, const DirectedLine& line, Point first, Point second) {
   const Point ray = direction(given.point_ray);
-  const PoleFrame frame(line, given.pole_distance, ray);
+  const RayFrame frame(line, given.pole_distance, ray);
   const double n = given.cubic_n ? 1 / *given.cubic_n : 0;
   const double m = ray.imag() * (1 / given.pole_distance - n / ray.real());
   return {four_bar_of(frame.on_cubic(m, n, first), frame.on_cubic(m, n, second), frame.point, frame.scale)};
@@ -142,7 +142,7 @@ LineDesigns designs_of(const IsoscelesTrapezoid& given, const DirectedLine& line
 }
 
 LineDesigns designs_of(const PoleAtFixedPivot& given, const DirectedLine& line, Point point_ray, Point input_ray) {
-  const PoleFrame frame(line, given.pole_distance, point_ray);
+  const RayFrame frame(line, given.pole_distance, point_ray);
   const SideLink input = frame.on_cubic(0, point_ray.real() / given.pole_distance, input_ray);
   return {four_bar_of(input, {frame.at(given.output_arm, 1), frame.pole}, frame.point, frame.scale)};
 }
@@ -150,7 +150,7 @@ LineDesigns designs_of(const PoleAtFixedPivot& given, const DirectedLine& line, 
 LineDesigns designs_of(const PoleAtFixedPivotBallPointOnFrame& given, const DirectedLine& line, double pivot_distance,
                        double arm) {
   constexpr Point normal{0, 1};
-  const PoleFrame frame(line, given.pole_distance, normal);
+  const RayFrame frame(line, given.pole_distance, normal);
   const double moving = pivot_distance * given.pole_distance / (given.pole_distance + pivot_distance);
   return {four_bar_of({frame.at(moving, normal), frame.at(pivot_distance, normal)}, {frame.at(arm, 1), frame.pole},
                       frame.point, frame.scale)};
@@ -162,12 +162,12 @@ LineDesigns designs_of(const FivePoint& given, const DirectedLine& line, Point a
   // t_D = −(t_A + t_B + 2 t_C) / (1 + t_A t_B).
   const Point d = ray_of(-(c * (a.imag() * b.real() + a.real() * b.imag()) + 2 * s * a.real() * b.real()),
                          c * (a.real() * b.real() + a.imag() * b.imag()));
-  return of_three_rays(PoleFrame(line, given.pole_distance, point_ray), point_ray, {a, b, d});
+  return of_three_rays(RayFrame(line, given.pole_distance, point_ray), point_ray, {a, b, d});
 }
 
 LineDesigns designs_of(const FivePointInflectionPole& given, const DirectedLine& line, Point a, Point b) {
   constexpr Point normal{0, 1};
-  const PoleFrame frame(line, given.pole_distance, normal);
+  const RayFrame frame(line, given.pole_distance, normal);
   const double sines = a.imag() * b.imag();
   const double share = 2 * sines / (a.real() * b.real() + 3 * sines);  // κ = D/M
   const double m = share * frame.bend, diameter = given.pole_distance;
@@ -176,7 +176,7 @@ LineDesigns designs_of(const FivePointInflectionPole& given, const DirectedLine&
 }
 
 LineDesigns designs_of(const FivePointSideLinkOnFrame& given, const DirectedLine& line, Point point_ray, Point a) {
-  const PoleFrame frame(line, given.pole_distance, point_ray);
+  const RayFrame frame(line, given.pole_distance, point_ray);
   const double n = point_ray.real() / given.pole_distance;  // m = 0
   // t_D = −2 t_C − t_A, x_B = 1 / (n (1 − t_A t_D)).
   const Point d = ray_of(-(2 * point_ray.imag() * a.real() + a.imag() * point_ray.real()), point_ray.real() * a.real());
@@ -195,7 +195,7 @@ LineDesigns designs_of(const SixPoint& given, const DirectedLine& line, Point po
   const double far = sum + std::copysign(std::sqrt(discriminant), sum);  // twice the larger root
   std::array<double, 2> roots = {far / 2, 2 * product / far};
   if (roots[0] < roots[1]) std::swap(roots[0], roots[1]);
-  return of_three_rays(PoleFrame(line, given.pole_distance, point_ray), point_ray,
+  return of_three_rays(RayFrame(line, given.pole_distance, point_ray), point_ray,
                        {a, ray_of(roots[0], 1), ray_of(roots[1], 1)});
 }
 

@@ -5,24 +5,13 @@
 
 #include "linkwright/core/angle.hpp"
 #include "linkwright/core/parallel.hpp"
+#include "linkwright/planar/four_bar_family.hpp"
 #include "linkwright/straight_line/straight_path.hpp"
 #include "straight_line/line_cases.hpp"
 #include "straight_line/line_estimate.hpp"
 
 namespace linkwright {
 namespace {
-
-constexpr std::array line_measures = {measures::usable_stroke,
-                                      measures::usable_strip,
-                                      measures::deviation,
-                                      measures::stroke_over_longest,
-                                      measures::min_transmission_angle,
-                                      measures::velocity_nonuniformity,
-                                      measures::contact_coefficient,
-                                      measures::usable_length,
-                                      measures::link_ratio,
-                                      measures::longest_link,
-                                      measures::valid};
 
 MapAxis axis_with_layers(const LineAxis& axis, const StraightLineCase& given, int layers) {
   MapAxis map_axis{axis.quantity, {}};
@@ -32,8 +21,6 @@ MapAxis axis_with_layers(const LineAxis& axis, const StraightLineCase& given, in
   }
   return map_axis;
 }
-
-float single(double value) { return static_cast<float>(value); }
 
 // The linkages of a row as they are estimated, and where they go.
 struct RowOfLinkages {
@@ -45,26 +32,14 @@ struct RowOfLinkages {
 void write_cell(const RegionMap::Cells& cells, std::size_t column, const TracingFourBar& linkage,
                 const LineEstimate& estimate, LineMeasure measure) {
   cells.type[column] = static_cast<std::uint8_t>(linkage_type(linkage.bars.lengths()));
-  const double longest = linkage.longest();
-  const LineWorth worth = estimate.worth(measure);
-  const std::array values = {estimate.usable_stroke,
-                             estimate.usable_strip,
-                             worth.deviation,
-                             worth.usable / longest,
-                             versine_of_angle(worth.min_transmission_angle),
-                             worth.velocity_nonuniformity,
-                             estimate.contact_coefficient,
-                             worth.usable,
-                             longest / linkage.shortest(),
-                             longest,
-                             1.0};
-  static_assert(values.size() == line_measures.size());
-  for (std::size_t i = 0; i < values.size(); ++i) cells.measures[i][column] = single(values[i]);
+  auto values = measured_line(linkage, estimate.worth(measure));
+  values[0] = estimate.usable_stroke;
+  values[1] = estimate.usable_strip;
+  values[6] = estimate.contact_coefficient;
+  for (std::size_t i = 0; i < values.size(); ++i) cells.measures[i][column] = static_cast<float>(values[i]);
 }
 
 }  // namespace
-
-std::span<const Measure> straight_line_measures() { return line_measures; }
 
 StraightLineFamily::StraightLineFamily(StraightLineTask task, LineMeasuring measuring,
                                        const std::optional<MapWindow>& window)
@@ -153,15 +128,29 @@ std::vector<double> StraightLineFamily::samples(Side side, int count, Spacing sp
   return coordinates;
 }
 
+LinkageFamily::CellAt StraightLineFamily::cells(bool /*respect_direction*/) const {
+  return [this, estimated = estimate_task(*this)](MapPoint place, const auto& is_worth_it) -> std::optional<Cell> {
+    const LineDesign there = design(place);
+    if (there.kind != DesignKind::four_bar) return std::nullopt;
+    const TracingFourBar& linkage = there.linkage;
+    Cell cell = line_cell(linkage, LineWorth::unknown());
+    cell.place = place;
+    cell.defects = defects(linkage);
+    if (cell.type == LinkageType::degenerate || !is_worth_it(cell)) return std::nullopt;
+    const auto line = exact_line(linkage, estimated, measuring_.deviation_of(linkage));
+    if (!line) return std::nullopt;
+    const auto values = measured_line(linkage, line->worth(measuring_.measure));
+    std::copy(values.begin(), values.end(), cell.values.begin());
+    return cell;
+  };
+}
+
 MapPivots StraightLineFamily::pivots(const RegionMap& map) const {
   MapPivots found;
   found.of_cell = [this, &map](std::size_t row, std::size_t column) -> std::optional<Pivots> {
     const LineDesign found_there = design({map.input_coordinates()[row], map.output_coordinates()[column]});
     if (found_there.kind != DesignKind::four_bar) return std::nullopt;
-    const FourBar& bars = found_there.linkage.bars;
-    const auto in_plane = [](Point p) { return Vector3{p.real(), p.imag(), 0}; };
-    return Pivots{{in_plane(bars.input_center), in_plane(bars.output_center)},
-                  {in_plane(bars.input_circle), in_plane(bars.output_circle)}};
+    return pivots_of(found_there.linkage.bars);
   };
   return found;
 }
@@ -202,7 +191,7 @@ std::optional<LinkageOutput> StraightLineFamily::output_of(const TracingFourBar&
 void StraightLineFamily::fill(RegionMap& map, std::span<const double> input, std::span<const double> output,
                               bool /*respect_direction*/, const RegionOptions& options,
                               const Progress& progress) const {
-  map.lay(input, output, line_measures, false, options);
+  map.lay(input, output, straight_line_measures, false, options);
   map.leave_out_drivers();
   const auto axes = axes_of(task_);
   const auto value = [&](Side side, double coordinate) {
@@ -227,7 +216,7 @@ void StraightLineFamily::fill(RegionMap& map, std::span<const double> input, std
       row_of.columns.clear();
       for (std::size_t column = 0; column < columns.size(); ++column) {
         const LineDesign found = designs_at(task_, first, columns[column])[layer];
-        if (found.kind == DesignKind::slider) cells.measures[line_measures.size() - 1][column] = 2;
+        if (found.kind == DesignKind::slider) cells.measures[straight_line_measures.size() - 1][column] = 2;
         if (found.kind != DesignKind::four_bar) continue;
         row_of.linkages.push_back(found.linkage);
         row_of.columns.push_back(column);

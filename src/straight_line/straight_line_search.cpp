@@ -9,6 +9,7 @@
 
 #include "linkwright/core/angle.hpp"
 #include "linkwright/core/parallel.hpp"
+#include "linkwright/region/cell_judge.hpp"
 #include "straight_line/line_atlas.hpp"
 #include "straight_line/line_classics.hpp"
 #include "straight_line/line_estimate.hpp"
@@ -69,7 +70,10 @@ class Wish {
       : line_(line),
         wanted_(wanted),
         requirements_(requirements),
-        objective_(objective == Objective::deviation ? Objective::stroke : objective) {}
+        objective_(objective == Objective::deviation ? Objective::stroke : objective),
+        rank_(rank_of(objective_, straight_line_measures)),
+        shape_(of_shape(requirements), straight_line_linkages, straight_line_measures),
+        rest_(beside_shape(requirements), straight_line_linkages, straight_line_measures) {}
 
   [[nodiscard]] double stroke() const { return wanted_.stroke; }
   [[nodiscard]] double deviation() const { return wanted_.deviation; }
@@ -77,7 +81,10 @@ class Wish {
   [[nodiscard]] const DirectedLine& line() const { return line_; }
   [[nodiscard]] LineMeasuring measuring() const { return {wanted_.deviation, wanted_.stroke, LineMeasure::strip}; }
 
-  [[nodiscard]] const Requirements& requirements() const { return requirements_; }
+  // Of a type and of proportions that are asked for, whatever its size.
+  [[nodiscard]] bool has_shape(const TracingFourBar& linkage) const {
+    return shape_.passes(line_cell(linkage, LineWorth::unknown()));
+  }
   // Of the strip over the longest link, below which a linkage is too long or, by what ranks, not among the best.
   [[nodiscard]] double least_strip() const { return wanted_.stroke / requirements_.max_length.value_or(infinite); }
   // Beside which a longer strip may do worse.
@@ -90,15 +97,29 @@ class Wish {
   }
   // Nothing where it does not do what is asked for; as it is scaled and moved to the line.
   [[nodiscard]] std::optional<double> score(const TracingFourBar& linkage, const LineWorth& worth) const {
-    if (!has_place(linkage, requirements_) || !meets(worth, requirements_)) return std::nullopt;
-    return score_of(objective_, linkage, worth);
+    const Cell cell = line_cell(linkage, worth);
+    return rest_.passes(cell) ? std::optional(rank_.score(cell)) : std::nullopt;
   }
 
  private:
+  static Requirements of_shape(const Requirements& wanted) {
+    Requirements shape;
+    shape.types = wanted.types;
+    shape.max_link_ratio = wanted.max_link_ratio;
+    return shape;
+  }
+  static Requirements beside_shape(Requirements wanted) {
+    wanted.types.clear();
+    wanted.max_link_ratio = Requirements::unlimited;
+    return wanted;
+  }
+
   DirectedLine line_;
   straight_cases::Search wanted_;
   Requirements requirements_;
   Objective objective_;
+  Rank rank_;
+  CellJudge shape_, rest_;
 };
 
 // Of the linkage at unit size, whose line is the x axis and whose strip is to come to the middle of the wish's line.
@@ -196,7 +217,7 @@ void add_designs(const LineShape& shape, const Wish& wish, std::vector<Drawn>& d
   const int layers = shape.kind == ShapeKind::symmetric_lambda ? 1 : 3;  // of λs the better
   for (int layer = 0; layer < layers; ++layer) {
     const LineDesign& design = designs[static_cast<std::size_t>(layer)];
-    if (design.kind == DesignKind::four_bar && has_shape(design.linkage, wish.requirements()))
+    if (design.kind == DesignKind::four_bar && wish.has_shape(design.linkage))
       drawn.push_back({shape, layer, design.linkage});
   }
 }
@@ -206,7 +227,7 @@ std::vector<Prospect> guessed(ShapeKind kind, const std::vector<AtlasLinkage>& k
   std::vector<Drawn> linkages;
   for (const auto& [shape, layer] : known) {
     const LineDesign design = designs_of_shape(placed(shape))[static_cast<std::size_t>(layer)];
-    if (design.kind == DesignKind::four_bar && has_shape(design.linkage, wish.requirements()))
+    if (design.kind == DesignKind::four_bar && wish.has_shape(design.linkage))
       linkages.push_back({shape, layer, design.linkage});
   }
   auto prospects = Estimator(wish, kind).prospects(std::move(linkages));
@@ -306,7 +327,7 @@ Prospect made_better(Prospect best, std::uint64_t seed, const Wish& wish, const 
       for (std::size_t k = 0; k < number_count(shape.kind); ++k)
         shape.numbers[k] = std::clamp(shape.numbers[k] + step * (2 * share(random) - 1), 0.0, 1.0);
       const LineDesign design = designs_of_shape(placed(shape))[static_cast<std::size_t>(best.layer)];
-      if (design.kind == DesignKind::four_bar && has_shape(design.linkage, wish.requirements()))
+      if (design.kind == DesignKind::four_bar && wish.has_shape(design.linkage))
         drawn.push_back({shape, best.layer, design.linkage});
     }
     const auto found = Estimator(wish, best.shape.kind).prospects(std::move(drawn));
@@ -351,7 +372,7 @@ std::optional<StraightLineSolution> measured(const Prospect& of, const Wish& wis
   const auto point = family.point_of(place);
   auto found = point ? make_straight_line(family, *point) : std::nullopt;
   if (found && !found->defects.none()) return std::nullopt;
-  if (!found || !has_shape(found->linkage, wish.requirements())) return std::nullopt;
+  if (!found || !wish.has_shape(found->linkage)) return std::nullopt;
   const double mid = (found->usable_strip.from + found->usable_strip.to) / 2;
   if (!(found->usable_strip.length() >= wish.stroke())) return std::nullopt;
   PathLimits reach;

@@ -114,11 +114,8 @@ LineWorth StraightLineSolution::worth() const {
 }
 
 std::vector<RequirementKind> failures_of(const StraightLineSolution& found, const Requirements& wanted) {
-  std::vector<RequirementKind> failed;
-  const LineWorth worth = found.worth();
-  for (const RequirementKind kind : straight_line_linkages.requirements)
-    if (!meets(kind, found.linkage, wanted) || !meets(kind, worth, wanted)) failed.push_back(kind);
-  return failed;
+  const CellJudge judge(wanted, straight_line_linkages, straight_line_measures);
+  return kinds_of(judge.failures(line_cell(found.linkage, found.worth())), judge.kinds());
 }
 
 }  // namespace linkwright

@@ -6,17 +6,16 @@
 #include <iterator>
 #include <span>
 
-#include "function_answer.hpp"
 #include "linkwright/core/angle.hpp"
 #include "linkwright/core/count_text.hpp"
 #include "linkwright/core/tolerance.hpp"
 #include "linkwright/planar/chosen_length.hpp"
 #include "linkwright/planar/function_family.hpp"
 #include "linkwright/planar/function_search.hpp"
+#include "pair_answer.hpp"
 #include "picked_place.hpp"
 #include "reason.hpp"
 #include "region_count.hpp"
-#include "searched_four_bars.hpp"
 #include "warnings.hpp"
 
 namespace linkwright {
@@ -28,22 +27,6 @@ std::vector<Dyad> curve_samples(const TaskFamily& given, const SynthesisOptions&
   for (const double tau : given.curve->samples(options.region_samples, options.spacing))
     dyads.push_back(given.frame().to_user(given.curve->dyad(tau)));
   return dyads;
-}
-
-// Five positions: every pair of grounded links as a four-bar, the better driver first named, best first.
-std::vector<FourBarSolution> all_pairs(const FourBarAnswer& answer) {
-  constexpr bool verify = true;
-  const Requirements& wanted = answer.requirements;
-  const std::vector<double> places = answer.given.family->samples(Side::input, 0, Spacing::coordinate);
-  std::vector<FourBarSolution> pairs;
-  for (std::size_t i = 0; i < places.size(); ++i)
-    for (std::size_t j = i + 1; j < places.size(); ++j) {
-      auto one = make_four_bar(answer.given, {places[i], places[j]}, wanted.respect_direction, verify);
-      auto other = make_four_bar(answer.given, {places[j], places[i]}, wanted.respect_direction, verify);
-      if (one && other) pairs.push_back(is_better_linkage(*other, *one) ? *other : *one);
-    }
-  std::sort(pairs.begin(), pairs.end(), is_better_linkage<FourBarSolution>);
-  return pairs;
 }
 
 Error cancelled() { return {"cancelled", "", "stopped before the answer was complete"}; }
@@ -65,7 +48,7 @@ bool find_four_bars(KindAnswer& answer, const Progress& progress, const TaskWord
   warn_of_map(answer);
   if (nothing_meets_requirements(answer)) answer.missed_boxes = missed_boxes(*given.family, answer.requirements);
   if (!answer.options.at) {
-    BestLinkages best = best_linkages(SearchedFourBars(answer), answer, counted.maps(answer.region), progress);
+    BestLinkages best = best_linkages(*given.family, making_of(answer), answer, counted, progress);
     answer.linkages = std::move(best.linkages);
     answer.left_out = best.left_out;
     warn_of_more(answer, best.beyond);
@@ -74,7 +57,7 @@ bool find_four_bars(KindAnswer& answer, const Progress& progress, const TaskWord
   if (progress.is_cancelled()) return false;
   if (answer.options.at)
     list_what_is_there(answer, *given.family,
-                       [&](MapPoint place, const auto& /*failed*/) { return SearchedFourBars(answer).make(place); });
+                       [&](MapPoint place, const auto& /*failed*/) { return linkage_at(answer, place); });
   else
     state_reason(answer, words, reason_facts(answer));
   progress(1);
@@ -127,11 +110,7 @@ Result<Answer> solve_of_kind(const FunctionTask& task, const Requirements& requi
   if (!find_four_bars(answer, progress, function_words)) return cancelled();
   const auto& family = answer.given.functions;
   if (!family) return Answer(std::move(answer));
-  const auto make = [&](MapPoint place) {
-    constexpr bool verify = true;
-    return make_four_bar(answer.given, place, answer.requirements.respect_direction, verify);
-  };
-  if (!find_generators(answer, *family, make, progress)) return cancelled();
+  if (!find_generators(answer, *family, progress)) return cancelled();
   return Answer(std::move(answer));
 }
 

@@ -1,8 +1,8 @@
 #pragma once
 
 #include <algorithm>
-#include <concepts>
 #include <cstdint>
+#include <functional>
 #include <iterator>
 #include <optional>
 #include <utility>
@@ -13,25 +13,17 @@
 #include "linkwright/synthesis/answer.hpp"
 #include "region/climb.hpp"
 #include "region/window_look.hpp"
+#include "region_count.hpp"
 
 namespace linkwright {
 
-/// What a kind of linkage brings to be searched for: beside what judges a place of its map, how far apart two designs
-/// are, and a linkage made of a candidate.
-template <class Kind>
-concept SearchedKind = CandidateEvaluator<Kind> && requires(const Kind& kind, const typename Kind::Candidate& candidate,
-                                                            MapPoint place, const typename Kind::Solution& made) {
-  /// The same bars driven from the better side; as they are where the family names the input.
-  { kind.from_better_side(candidate) } -> std::same_as<typename Kind::Candidate>;
-  /// Between two designs, whichever grounded link is named first.
-  { kind.distance(candidate, candidate) } -> std::convertible_to<double>;
-  /// What distances of designs are measured by.
-  { kind.size(candidate) } -> std::convertible_to<double>;
+/// What is made of the places that a search finds.
+template <class Solution>
+struct Making {
   /// Analysed and driven through in the user's coordinates; nothing where rounding keeps it from being any.
-  { kind.make(place) } -> std::same_as<std::optional<typename Kind::Solution>>;
+  std::function<std::optional<Solution>(MapPoint place)> make;
   /// It does in the user's coordinates what it was held for, and driving confirms it.
-  { kind.is_confirmed(candidate, made) } -> std::same_as<bool>;
-  { made.local_optimum } -> std::convertible_to<bool>;
+  std::function<bool(const Cell& held_for, const Solution& made)> is_confirmed;
 };
 
 template <class Solution>
@@ -42,19 +34,18 @@ struct BestLinkages {
 };
 
 /// Looks for the best linkages of a map.
-template <SearchedKind Kind>
+template <class Solution>
 class LinkageSearch {
  public:
-  using Candidate = typename Kind::Candidate;
-  using Solution = typename Kind::Solution;
-
-  /// Refers to all of them. `maps`: where it begins, that of the findings first.
-  LinkageSearch(const Kind& kind, const Findings& findings, std::vector<SearchMap> maps, const Progress& progress)
-      : kind_(kind),
-        maps_(std::move(maps)),
+  /// Refers to all of them; where it begins is counted.
+  LinkageSearch(const LinkageFamily& family, const Making<Solution>& making, const Findings& findings,
+                const CountedRegion& counted, const Progress& progress)
+      : evaluator_(family, findings.requirements, findings.options.objective, counted.window, findings.added),
+        making_(making),
+        maps_(counted.maps(findings.region)),
         options_(findings.options),
         progress_(progress),
-        is_discrete_(kind.family().axis(Side::input).is_discrete() && kind.family().axis(Side::output).is_discrete()) {}
+        is_discrete_(family.axis(Side::input).is_discrete() && family.axis(Side::output).is_discrete()) {}
 
   /// The tops of the hills, then the best that differ clearly from all before.
   [[nodiscard]] BestLinkages<Solution> best() && {
@@ -74,7 +65,7 @@ class LinkageSearch {
     }
     if (!is_discrete_) add_clearly_different(wanted);
     std::sort(found_.begin(), found_.end(),
-              [](const Found& a, const Found& b) { return better(a.candidate, b.candidate); });
+              [](const Found& a, const Found& b) { return is_better_candidate(a.candidate, b.candidate); });
     BestLinkages<Solution> best{{}, std::ssize(left_out_)};
     if (is_discrete_) best.beyond = tops.end() - next;
     for (Found& found : found_) best.linkages.push_back(std::move(found.linkage));
@@ -85,7 +76,7 @@ class LinkageSearch {
   [[nodiscard]] BestLinkages<Solution> along(const std::vector<ParetoCell>& front) && {
     std::vector<Candidate> candidates;
     for (const ParetoCell& cell : spread_over(front, static_cast<std::size_t>(options_.best)))
-      if (const auto candidate = kind_.candidate(place_of(*maps_.front().map, {cell.row, cell.column})))
+      if (const auto candidate = evaluator_.candidate(place_of(*maps_.front().map, {cell.row, cell.column})))
         candidates.push_back(*candidate);
     hold(candidates);  // no two are the same design: it is left at 0 what they differ by
     BestLinkages<Solution> found{{}, std::ssize(left_out_)};
@@ -106,11 +97,6 @@ class LinkageSearch {
   static constexpr Pace coarse = {1, 1e-3, 1e-3}, fine = {0.1, 1e-6, 1e-7};
   static constexpr std::size_t least_feet = 30;    // whatever number is asked for, the first is the same
   static constexpr std::size_t max_left_out = 60;  // each has been driven as long as a drive may last
-
-  [[nodiscard]] static bool better(const Candidate& a, const Candidate& b) {
-    if (a.score != b.score) return a.score > b.score;
-    return a.place.input != b.place.input ? a.place.input < b.place.input : a.place.output < b.place.output;
-  }
 
   [[nodiscard]] bool goes_on(std::size_t wanted) const {
     return held_.size() < wanted && left_out_.size() < max_left_out && !progress_.is_cancelled();
@@ -143,29 +129,32 @@ class LinkageSearch {
   [[nodiscard]] std::vector<Climber> feet_of(const SearchMap& map, std::size_t most) const {
     std::vector<Climber> found;
     for (const RankedCell& cell : hill_tops(*map.map, *map.filter, options_.objective, most))
-      if (const auto candidate = kind_.candidate(place_of(*map.map, cell))) found.push_back({*candidate, map.step});
+      if (const auto candidate = evaluator_.candidate(place_of(*map.map, cell)))
+        found.push_back({*candidate, map.step});
     return found;
   }
   [[nodiscard]] static MapPoint place_of(const RegionMap& map, const RankedCell& cell) {
     return {map.input_coordinates()[cell.row], map.output_coordinates()[cell.column]};
   }
-  [[nodiscard]] static bool ranks_first(const Climber& a, const Climber& b) { return better(a.candidate, b.candidate); }
+  [[nodiscard]] static bool ranks_first(const Climber& a, const Climber& b) {
+    return is_better_candidate(a.candidate, b.candidate);
+  }
 
   /// The middle one: a measure of designs that depends on neither the body's frame nor the map.
   [[nodiscard]] double design_size(const std::vector<Candidate>& candidates) const {
     std::vector<double> sizes;
-    for (const Candidate& candidate : candidates) sizes.push_back(kind_.size(candidate));
+    for (const Candidate& candidate : candidates) sizes.push_back(evaluator_.size(candidate));
     const auto middle = sizes.begin() + std::ssize(sizes) / 2;
     std::nth_element(sizes.begin(), middle, sizes.end());
     return sizes.empty() ? 0 : *middle;
   }
   [[nodiscard]] bool differs(const Candidate& candidate, const std::vector<Candidate>& held, double least) const {
     return std::all_of(held.begin(), held.end(),
-                       [&](const Candidate& other) { return kind_.distance(candidate, other) >= least; });
+                       [&](const Candidate& other) { return evaluator_.distance(candidate, other) >= least; });
   }
 
-  [[nodiscard]] static Ascent<Candidate> ascent_of(const Pace& pace, MapPoint step) {
-    Ascent<Candidate> ascent;
+  [[nodiscard]] static Ascent ascent_of(const Pace& pace, MapPoint step) {
+    Ascent ascent;
     ascent.first_step = {pace.step * step.input, pace.step * step.output};
     ascent.resolution = pace.resolution;
     ascent.across = pace.across;
@@ -173,10 +162,10 @@ class LinkageSearch {
   }
 
   /// The top of its hill, driven from the better side.
-  [[nodiscard]] Climber climbed_to_top(const Climber& foot, const Ascent<Candidate>& ascent) const {
-    const Candidate top = climbed(kind_, foot.candidate, ascent, progress_);
-    Climber end{kind_.from_better_side(top), foot.step};
-    const bool swapped = end.candidate.place.input != top.place.input;
+  [[nodiscard]] Climber climbed_to_top(const Climber& foot, const Ascent& ascent) const {
+    const Candidate top = climbed(evaluator_, foot.candidate, ascent, progress_);
+    Climber end{evaluator_.from_better_side(top), foot.step};
+    const bool swapped = end.candidate.cell.place.input != top.cell.place.input;
     if (swapped) std::swap(end.step.input, end.step.output);
     return end;
   }
@@ -195,7 +184,7 @@ class LinkageSearch {
   /// beside the largest of them.
   [[nodiscard]] double same_within(const Candidate& candidate) const {
     constexpr double rounding = 1e-9;
-    return is_discrete_ ? rounding * kind_.size(candidate) : different_design * size_;
+    return is_discrete_ ? rounding * evaluator_.size(candidate) : different_design * size_;
   }
 
   /// Sorted, without those that are the same design as a better one.
@@ -218,11 +207,12 @@ class LinkageSearch {
   void hold(const std::vector<Candidate>& candidates) {
     std::vector<std::optional<Solution>> made(candidates.size());
     parallel_for(made.size(), options_.region.threads, [&](std::size_t begin, std::size_t end) {
-      for (std::size_t i = begin; i < end && !progress_.is_cancelled(); ++i) made[i] = kind_.make(candidates[i].place);
+      for (std::size_t i = begin; i < end && !progress_.is_cancelled(); ++i)
+        made[i] = making_.make(candidates[i].cell.place);
     });
     for (std::size_t i = 0; i < made.size(); ++i) {
       if (!made[i] || !is_new(candidates[i])) continue;
-      if (!kind_.is_confirmed(candidates[i], *made[i])) {
+      if (!making_.is_confirmed(candidates[i].cell, *made[i])) {
         left_out_.push_back(candidates[i]);
         continue;
       }
@@ -244,9 +234,9 @@ class LinkageSearch {
     for (const SearchMap& map : maps_)
       for (const RankedCell& cell : tile_bests(*map.map, *map.filter, options_.objective, tiles)) {
         if (!goes_on(wanted)) return;
-        const auto foot = kind_.candidate(place_of(*map.map, cell));
+        const auto foot = evaluator_.candidate(place_of(*map.map, cell));
         if (!foot || !differs(*foot, held_, least) || !is_new(*foot)) continue;
-        Ascent<Candidate> ascent = ascent_of(coarse, map.step);
+        Ascent ascent = ascent_of(coarse, map.step);
         ascent.score = score;
         Candidate end = climbed_to_top({*foot, map.step}, ascent).candidate;
         end.local_optimum = false;
@@ -259,7 +249,8 @@ class LinkageSearch {
     Solution linkage;
   };
 
-  const Kind& kind_;
+  Evaluator evaluator_;
+  const Making<Solution>& making_;
   std::vector<SearchMap> maps_;
   const SynthesisOptions& options_;
   const Progress& progress_;
@@ -273,13 +264,13 @@ class LinkageSearch {
 /// The best linkages of a solved region: its hill tops, and those of maps that look closer (`maps`, its own first),
 /// climbed continuously in the two coordinates, then, while there are fewer than wanted, the best of those that differ
 /// clearly from all before. Distinct, best first, each analysed and driven through in user coordinates.
-template <SearchedKind Kind>
-[[nodiscard]] BestLinkages<typename Kind::Solution> best_linkages(const Kind& kind, const Findings& findings,
-                                                                  std::vector<SearchMap> maps,
-                                                                  const Progress& progress) {
+template <class Solution>
+[[nodiscard]] BestLinkages<Solution> best_linkages(const LinkageFamily& family, const Making<Solution>& making,
+                                                   const Findings& findings, const CountedRegion& counted,
+                                                   const Progress& progress) {
   if (findings.options.best == 0) return {};
   const bool found_between = findings.meeting_requirements == 0;  // the map's own front is empty
-  LinkageSearch<Kind> search(kind, findings, std::move(maps), progress);
+  LinkageSearch<Solution> search(family, making, findings, counted, progress);
   return findings.options.pareto && !found_between ? std::move(search).along(findings.pareto)
                                                    : std::move(search).best();
 }

@@ -82,11 +82,7 @@ std::optional<std::vector<RequirementKind>> failures_at(const LinkageFamily& fam
   measure_added(cell, family, found);
   if (cell.type(0) == LinkageType::degenerate) return std::nullopt;
   const RequirementFilter filter = filter_of(family, cell, found.requirements);
-  const unsigned bits = filter.failures(0, 0);
-  std::vector<RequirementKind> failed;
-  for (std::size_t k = 0; k < filter.kinds().size(); ++k)
-    if ((bits >> k & 1) != 0) failed.push_back(filter.kinds()[k]);
-  return failed;
+  return kinds_of(filter.failures(0, 0), filter.kinds());
 }
 
 void state_what_is_there(Findings& found, const LinkageFamily& family, std::size_t listed) {

@@ -66,7 +66,7 @@ CountedRegion count_region(Findings& found, const LinkageFamily& family, const M
   found.counts = found.region.counts();
   progress(0.6);
   const double step = longest_axis(family) / static_cast<double>(std::max(found.region.rows(), found.region.columns()));
-  CountedRegion counted{filter_of(family, found.region, found.requirements), {step, step}, {}};
+  CountedRegion counted{filter_of(family, found.region, found.requirements), {step, step}, extent.window, {}};
   const RequirementCensus census = counted.filter.census(progress);
   found.meeting_requirements = census.meeting;
   if (found.options.tolerances && census.meeting > 0) set_yield_margin(found, family);

@@ -22,7 +22,8 @@ void measure_added(RegionMap& map, const LinkageFamily& family, const Findings& 
 /// The map of the findings under their requirements, and what was looked at inside windows for hinges.
 struct CountedRegion {
   RequirementFilter filter;
-  MapPoint step;  ///< from cell to cell of the map
+  MapPoint step;                    ///< from cell to cell of the map
+  std::optional<MapWindow> window;  ///< of the map
   WindowLook within;
 
   /// What a search for the best begins at.

@@ -2,32 +2,17 @@
 
 #include <algorithm>
 
-#include "function_answer.hpp"
 #include "linkwright/spherical/spherical_function_family.hpp"
 #include "linkwright/spherical/spherical_function_search.hpp"
 #include "linkwright/spherical/spherical_task_family.hpp"
+#include "pair_answer.hpp"
 #include "picked_place.hpp"
 #include "reason.hpp"
 #include "region_count.hpp"
-#include "searched_spherical.hpp"
 #include "warnings.hpp"
 
 namespace linkwright {
 namespace {
-
-// Of a few dyads: every pair as a four-bar, the better driver first named, best first.
-std::vector<SphericalSolution> pairs_of_points(const SphericalAnswer& answer) {
-  const SearchedSphericalFourBars search(answer);
-  const std::vector<double> places = answer.given.family->samples(Side::input, 0, Spacing::coordinate);
-  std::vector<SphericalSolution> pairs;
-  for (std::size_t i = 0; i < places.size(); ++i)
-    for (std::size_t j = i + 1; j < places.size(); ++j) {
-      auto one = search.make({places[i], places[j]}), other = search.make({places[j], places[i]});
-      if (one && other) pairs.push_back(is_better_linkage(*other, *one) ? *other : *one);
-    }
-  std::sort(pairs.begin(), pairs.end(), is_better_linkage<SphericalSolution>);
-  return pairs;
-}
 
 ReasonFacts reason_facts(const SphericalAnswer& answer) {
   return {answer.given.has_directions, "No pair of dyads makes a four-bar: in every pair a link has no length.", "",
@@ -48,13 +33,12 @@ bool find_spherical(KindAnswer& answer, const TaskWords& words, const Progress& 
   }
   const CountedRegion counted =
       count_region(answer, *given.family, {answer.options.region_samples, answer.options.window}, progress);
-  if (!given.points.empty()) answer.pairs = pairs_of_points(answer);
-  const SearchedSphericalFourBars search(answer);
+  if (!given.points.empty()) answer.pairs = all_pairs(answer);
   if (answer.options.at) {
     list_what_is_there(answer, *given.family,
-                       [&](MapPoint place, const auto& /*failed*/) { return search.make(place); });
+                       [&](MapPoint place, const auto& /*failed*/) { return linkage_at(answer, place); });
   } else {
-    auto best = best_linkages(search, answer, counted.maps(answer.region), progress);
+    auto best = best_linkages(*given.family, making_of(answer), answer, counted, progress);
     answer.linkages = std::move(best.linkages);
     answer.left_out = best.left_out;
     warn_of_more(answer, best.beyond);
@@ -99,10 +83,7 @@ Result<Answer> solve_of_kind(const SphericalFunctionTask& task, const Requiremen
   if (!find_spherical(answer, spherical_function_words, progress)) return stopped();
   const auto& family = answer.given.functions;
   if (!family) return Answer(std::move(answer));
-  const SearchedSphericalFourBars search(answer);
-  if (!find_generators(
-          answer, *family, [&](MapPoint place) { return search.make(place); }, progress))
-    return stopped();
+  if (!find_generators(answer, *family, progress)) return stopped();
   return Answer(std::move(answer));
 }
 

@@ -5,10 +5,10 @@
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
+#include "linkage_search.hpp"
 #include "linkwright/core/count_text.hpp"
 #include "reason.hpp"
 #include "region_count.hpp"
-#include "searched_lines.hpp"
 
 namespace linkwright {
 namespace {
@@ -85,7 +85,12 @@ void state_what_was_found(StraightLineAnswer& answer) {
 
 // Larger is better, by what ranks the map.
 double score_of(const StraightLineSolution& found, const StraightLineAnswer& answer) {
-  return score_of(answer.options.objective, found.linkage, found.worth());
+  return rank_of(answer.options.objective, straight_line_measures).score(line_cell(found.linkage, found.worth()));
+}
+
+// Its point has the contact that its case promises, and the triangles of its links confirm its path.
+bool is_confirmed(const StraightLineSolution& made) {
+  return made.verified_by_driving && made.contact.points >= promised_contact(made.task.given);
 }
 
 Notice where_nothing_is(const StraightLineFamily& family, MapPoint at, bool on_map) {
@@ -245,8 +250,10 @@ Result<Answer> solve_of_kind(const StraightLineTask& task, const Requirements& r
   } else if (family.axis(Side::input).is_discrete()) {
     list_all(answer);
   } else {
-    auto best = best_linkages(SearchedLines(family, answer.requirements, options.objective, answer.added), answer,
-                              counted.maps(answer.region), progress);
+    const Making<StraightLineSolution> making{
+        [&](MapPoint place) { return make_straight_line(family, place); },
+        [](const Cell& cell, const auto& made) { return cell.type == made.type && is_confirmed(made); }};
+    auto best = best_linkages(family, making, answer, counted, progress);
     answer.linkages = std::move(best.linkages);
     if (!is_of_tolerances(options.objective) && !options.pareto)
       std::stable_sort(answer.linkages.begin(), answer.linkages.end(),

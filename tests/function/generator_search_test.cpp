@@ -12,6 +12,8 @@ class TwoRings : public LinkageFamily {
   TwoRings()
       : LinkageFamily({AxisQuantity::curve_coordinate, {{"odd", 0, 1}, {"oval", 1, 2}}},
                       {AxisQuantity::nothing, {{"point", 0, 1}}}) {}
+  [[nodiscard]] std::span<const Measure> measures() const override { return {}; }
+  [[nodiscard]] CellAt cells(bool /*respect_direction*/) const override { return {}; }
   [[nodiscard]] MapPivots pivots(const RegionMap& /*map*/) const override { return {}; }
   [[nodiscard]] std::optional<LinkageOutput> output(MapPoint /*place*/) const override { return std::nullopt; }
 

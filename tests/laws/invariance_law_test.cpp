@@ -156,9 +156,11 @@ TEST(InvarianceLaw, WhereTheBodysFrameLiesDoesNotChangeTheListOfLinkages) {
     for (std::size_t i = 0; i < one.linkages.size(); ++i) {
       const FourBarSolution &a = one.linkages[i], &b = two.linkages[i];
       const auto score = [&](const FourBarSolution& found) {
-        return score_of(options.objective,
-                        {versine_of_angle(found.report.min_transmission_angle),
-                         found.lengths.longest() / found.lengths.shortest(), found.lengths.longest()});
+        return rank_of(options.objective, planar_measures)
+            .score({found.report.type,
+                    {},
+                    {versine_of_angle(found.report.min_transmission_angle), 0,
+                     found.lengths.longest() / found.lengths.shortest(), found.lengths.longest()}});
       };
       EXPECT_EQ(a.local_optimum, b.local_optimum) << trial << ' ' << i;
       EXPECT_NEAR(score(a), score(b), (a.local_optimum ? 1e-5 : 1e-3) * std::abs(score(a))) << trial << ' ' << i;

@@ -12,7 +12,6 @@
 #include "linkwright/straight_line/straight_line_solution.hpp"
 #include "linkwright/synthesis/problem.hpp"
 #include "linkwright/synthesis/solve.hpp"
-#include "straight_line/line_candidate.hpp"
 #include "straight_line/line_estimate.hpp"
 #include "support/draws.hpp"
 #include "support/random_task.hpp"
@@ -280,15 +279,16 @@ TEST(StraightLineLaw, NoCellIsBetterThanTheBestThatIsListed) {
     }
     if (answer.linkages.empty()) continue;
     const StraightLineSolution& best = answer.linkages.front();
-    const double score = score_of(problem.options.objective, best.linkage, best.worth());
-    const LineEvaluator cells(*answer.lines, answer.requirements, problem.options.objective);
+    const Rank rank = rank_of(problem.options.objective, straight_line_measures);
+    const double score = rank.score(line_cell(best.linkage, best.worth()));
+    const CellJudge judge(answer.requirements, straight_line_linkages, straight_line_measures);
     for (const double row : answer.region.input_coordinates())
       for (const double column : answer.region.output_coordinates()) {
-        const auto cell = cells.candidate({row, column});
-        if (!cell || !(cell->score > score + 1e-6 * std::abs(score))) continue;
+        const auto cell = answer.lines->cell({row, column});
+        if (!cell || !judge.passes(*cell) || !(rank.score(*cell) > score + 1e-6 * std::abs(score))) continue;
         const auto made = make_straight_line(*answer.lines, {row, column});
         EXPECT_FALSE(made && made->verified_by_driving && made->contact.points >= answer.lines->contact())
-            << name(task.given) << " " << row << " " << column << ": " << cell->score << " beats " << score;
+            << name(task.given) << " " << row << " " << column << ": " << rank.score(*cell) << " beats " << score;
       }
     ++compared;
   }

@@ -9,7 +9,7 @@
 #include "linkwright/core/angle.hpp"
 #include "linkwright/function/function_error.hpp"
 #include "linkwright/planar/function_linkage.hpp"
-#include "linkwright/planar/improved_linkage.hpp"
+#include "linkwright/region/improved_linkage.hpp"
 #include "linkwright/synthesis/solve.hpp"
 #include "support/random_function.hpp"
 

@@ -6,6 +6,7 @@
 #include <gtest/gtest.h>
 
 #include "linkwright/core/angle.hpp"
+#include "linkwright/region/improved_linkage.hpp"
 #include "linkwright/synthesis/solve.hpp"
 #include "support/random_six_bar.hpp"
 
@@ -123,7 +124,7 @@ TEST(SixBarSynthesis, ImprovesASixBarUpToTheTopOfItsHill) {
     const RequirementFilter filter = filter_of(*mapped.family, mapped.map, wanted);
     const auto versine = [&](MapPoint point) { return rating_of(*mapped.family->member(point), false).versine(); };
     const auto better_than = [&](MapPoint point) {
-      return improved_six_bar(*mapped.family, wanted, Objective::min_transmission_angle, point);
+      return improved_linkage(*mapped.family, wanted, Objective::min_transmission_angle, point);
     };
     int improved = 0;
     for (std::size_t cell = 0; cell < 144; cell += 5) {

@@ -14,9 +14,8 @@ class BestCells : public ::testing::Test {
  protected:
   BestCells() { wanted.max_length = 5000; }
   [[nodiscard]] double score(Objective objective, std::size_t cell) const {
-    return score_of(objective, {static_cast<double>(map.values(measures::min_transmission_angle)[cell]),
-                                static_cast<double>(map.values(measures::link_ratio)[cell]),
-                                static_cast<double>(map.values(measures::longest_link)[cell])});
+    const Measure& by = measure_of(objective);
+    return (by.larger_is_better ? 1 : -1) * static_cast<double>(map.values(by)[cell]);
   }
 
   std::vector<PrescribedPose> poses = testing::planar_case("landing_gear").poses;

@@ -17,6 +17,14 @@ class ToyFamily : public LinkageFamily {
       : LinkageFamily({AxisQuantity::side_length, {{"", 0, 2}}},
                       {AxisQuantity::burmester_point, {{"point", 0, 1}, {"point", 1, 2}, {"point", 2, 3}}}) {}
 
+  [[nodiscard]] std::span<const Measure> measures() const override { return kept; }
+  [[nodiscard]] CellAt cells(bool /*respect_direction*/) const override {
+    return [](MapPoint place, const auto& /*is_worth_it*/) {
+      Cell cell{{LinkageType::crank_rocker, {}, {place.input / 2}}, place};
+      cell.pivots.ground.push_back({place.input, place.output, 0});
+      return std::optional(cell);
+    };
+  }
   [[nodiscard]] MapPivots pivots(const RegionMap& map) const override {
     return {{}, {}, [&map](std::size_t row, std::size_t column) {
               return std::optional(Pivots{{{map.input_coordinates()[row], map.output_coordinates()[column], 0}}, {}});
@@ -30,7 +38,7 @@ class ToyFamily : public LinkageFamily {
   void fill(RegionMap& map, std::span<const double> input, std::span<const double> output, bool /*respect_direction*/,
             const RegionOptions& options, const Progress& progress) const override {
     const auto cell_at = [&](std::size_t row, std::size_t /*column*/) {
-      return MapCell{LinkageType::crank_rocker, {}, {static_cast<float>(input[row] / 2)}};
+      return MapCell{LinkageType::crank_rocker, {}, {input[row] / 2}};
     };
     map.evaluate_cells(input, output, kept, {}, cell_at, options, progress);
   }
@@ -49,6 +57,19 @@ TEST(LinkageFamily, GivesTheOutputOfEachCell) {
   EXPECT_EQ(std::get<PlanarOutput>(*there).positions[0].bars.output_circle, Point(3, 2.5));
   EXPECT_FALSE(family.four_bar_cells(map));
   EXPECT_FALSE(family.spherical_cells(map));
+}
+
+TEST(LinkageFamily, TellsTheLinkageAtAPlaceAndHowFarTwoAreApart) {
+  const ToyFamily family;
+  const auto one = family.cell({0.5, 1.5}), other = family.cell({1.5, 1.5});
+  ASSERT_TRUE(one && other);
+  EXPECT_EQ(one->type, LinkageType::crank_rocker);
+  EXPECT_EQ(one->values[0], 0.25);
+  EXPECT_EQ(one->place.output, 1.5);
+  EXPECT_EQ(family.distance(one->pivots, other->pivots), 1);
+  const Pivots bars{{{0, 0, 0}, {4, 0, 0}}, {{0, 2, 0}, {4, 3, 0}}};
+  const Pivots renamed{{bars.ground[1], bars.ground[0]}, {bars.moving[1], bars.moving[0]}};
+  EXPECT_EQ(family.distance(bars, renamed), 0) << "whichever grounded link is named first";
 }
 
 class LinkageFamilyTest : public ::testing::Test {

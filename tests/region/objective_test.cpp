@@ -1,11 +1,10 @@
 #include "linkwright/region/objective.hpp"
 
+#include <array>
 #include <gtest/gtest.h>
 
 namespace linkwright::objective_test {
 namespace {
-
-constexpr RankedNumbers numbers{0.25, 4, 30, 0.5};
 
 TEST(Objective, HasTheKeyOfTheProblemFile) {
   EXPECT_EQ(name(Objective::min_transmission_angle), "min_transmission_angle");
@@ -14,11 +13,16 @@ TEST(Objective, HasTheKeyOfTheProblemFile) {
 }
 
 TEST(Objective, RanksByItsNumberTheLargerTheBetter) {
-  EXPECT_EQ(score_of(Objective::min_transmission_angle, numbers), 0.25);
-  EXPECT_EQ(score_of(Objective::link_ratio, numbers), -4);
-  EXPECT_EQ(score_of(Objective::size, numbers), -30);
-  EXPECT_EQ(score_of(Objective::structural_error, numbers), 0.25);
-  EXPECT_EQ(score_of(Objective::link_angle, numbers), 0.5);
+  constexpr std::array held = {measures::link_ratio, measures::min_transmission_angle, measures::longest_link,
+                               measures::min_link_angle};
+  const MapCell cell{LinkageType::crank_rocker, {}, {4, 0.25, 30, 0.5}};
+  const auto score = [&](Objective objective) { return rank_of(objective, held).score(cell); };
+  EXPECT_EQ(score(Objective::min_transmission_angle), 0.25);
+  EXPECT_EQ(score(Objective::link_ratio), -4);
+  EXPECT_EQ(score(Objective::size), -30);
+  EXPECT_EQ(score(Objective::structural_error), 0.25);
+  EXPECT_EQ(score(Objective::link_angle), 0.5);
+  EXPECT_EQ(score(Objective::tolerance_error), 0.25) << "which the cell does not hold";
 }
 
 TEST(Objective, RanksTheCellsOfAMapByAMeasureOfTheSameSense) {

@@ -5,6 +5,8 @@
 #include <cmath>
 #include <fmt/format.h>
 #include <optional>
+#include <span>
+#include <vector>
 
 #include "linkwright/core/angle.hpp"
 
@@ -17,7 +19,7 @@ struct Known {
   Pivots hinges;
 };
 
-Vector3 spread_of(const std::vector<Vector3>& points) {
+Vector3 spread_of(std::span<const Vector3> points) {
   Vector3 low = points.front(), high = points.front();
   for (const Vector3 p : points) {
     low = {std::min(low.x, p.x), std::min(low.y, p.y), std::min(low.z, p.z)};
@@ -26,7 +28,7 @@ Vector3 spread_of(const std::vector<Vector3>& points) {
   return high - low;
 }
 
-Box box_round(const std::vector<Vector3>& points, double width, double height) {
+Box box_round(std::span<const Vector3> points, double width, double height) {
   Box box{points.front().x, points.front().x, points.front().y, points.front().y};
   for (const Vector3 p : points)
     box = {std::min(box.x_low, p.x), std::max(box.x_high, p.x), std::min(box.y_low, p.y), std::max(box.y_high, p.y)};
@@ -34,7 +36,7 @@ Box box_round(const std::vector<Vector3>& points, double width, double height) {
 }
 
 // About the middle of lines, which have no sense.
-Cone cone_round(const std::vector<Vector3>& lines, double margin) {
+Cone cone_round(std::span<const Vector3> lines, double margin) {
   Vector3 middle = lines.front();
   for (std::size_t i = 1; i < lines.size(); ++i) middle = middle + (dot(lines[i], middle) < 0 ? -1.0 : 1.0) * lines[i];
   Cone cone{normalized(middle), 0};
@@ -52,21 +54,13 @@ std::optional<Known> known_linkage(const LinkageFamily& family, const Findings& 
   if (passing.empty()) return std::nullopt;
   const std::size_t cell = passing[static_cast<std::size_t>(draw.whole(0, static_cast<int>(passing.size()) - 1))];
   const std::size_t row = cell / map.columns(), column = cell % map.columns();
-  const MapPivots pivots = family.pivots(map);
-  std::optional<Pivots> hinges;
-  if (pivots.of_cell) {
-    hinges = pivots.of_cell(row, column);
-  } else {
-    const GroundedLinkPivots &input = pivots.rows[row], &output = pivots.columns[column];
-    if (input.ground && input.moving && output.ground && output.moving)
-      hinges = Pivots{{*input.ground, *output.ground}, {*input.moving, *output.moving}};
-  }
-  if (!hinges) return std::nullopt;
-  return Known{{map.input_coordinates()[row], map.output_coordinates()[column]}, *std::move(hinges)};
+  const MapPoint place{map.input_coordinates()[row], map.output_coordinates()[column]};
+  const auto there = family.cell(place, found.requirements.respect_direction);
+  return there ? std::optional(Known{place, there->pivots}) : std::nullopt;
 }
 
 void put_windows(Requirements& wanted, const Known& known, bool on_sphere, Draw& draw) {
-  std::vector<Vector3> all = known.hinges.ground;
+  std::vector<Vector3> all(known.hinges.ground.begin(), known.hinges.ground.end());
   all.insert(all.end(), known.hinges.moving.begin(), known.hinges.moving.end());
   const double size = on_sphere ? 1 : norm(spread_of(all));
   const bool ground = draw.chance(0.7), moving = !ground || draw.chance(0.5);

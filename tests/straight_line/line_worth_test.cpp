@@ -4,6 +4,8 @@
 #include <gtest/gtest.h>
 
 #include "linkwright/core/angle.hpp"
+#include "linkwright/region/cell_judge.hpp"
+#include "linkwright/region/objective.hpp"
 
 namespace linkwright {
 namespace {
@@ -37,6 +39,10 @@ TEST(LineWorth, HasNoEvenVelocityWhereTheInputTurnsBack) {
   EXPECT_EQ(LineWorth::of(over, 0).velocity_nonuniformity, infinity);
 }
 
+bool meets(const LineWorth& worth, const Requirements& wanted) {
+  return CellJudge(wanted, straight_line_linkages, straight_line_measures).passes(line_cell(linkage, worth));
+}
+
 TEST(LineWorth, MeetsEachRequirementUpToItsLimit) {
   const LineWorth worth = LineWorth::of(figures(), 0.2);
   Requirements wanted;
@@ -45,23 +51,20 @@ TEST(LineWorth, MeetsEachRequirementUpToItsLimit) {
   wanted.max_deviation = 0.2;
   wanted.min_transmission_angle = radians(50);
   EXPECT_TRUE(meets(worth, wanted));
-  const auto fails_with = [&](const Requirements& more, RequirementKind kind) {
-    return !meets(worth, more) && !meets(kind, worth, more);
-  };
   Requirements longer = wanted, straighter = wanted, steeper = wanted;
   longer.min_stroke = 4.1;
   straighter.max_deviation = 0.19;
   steeper.min_transmission_angle = radians(51);
-  EXPECT_TRUE(fails_with(longer, RequirementKind::min_stroke));
-  EXPECT_TRUE(fails_with(straighter, RequirementKind::max_deviation));
-  EXPECT_TRUE(fails_with(steeper, RequirementKind::min_transmission_angle));
+  for (const Requirements& more : {longer, straighter, steeper}) {
+    EXPECT_FALSE(meets(worth, more));
+    EXPECT_TRUE(meets(LineWorth::unknown(), more));
+  }
 }
 
 TEST(LineWorth, OfAStrokeThatIsNotReachedMeetsNoRequirements) {
   const LineWorth worth = LineWorth::of(figures(), infinity);
   Requirements wanted;
   EXPECT_FALSE(meets(worth, wanted));
-  EXPECT_FALSE(meets(RequirementKind::max_deviation, worth, wanted));
   wanted.max_deviation = 1e300;
   EXPECT_FALSE(meets(worth, wanted));
 }
@@ -69,36 +72,29 @@ TEST(LineWorth, OfAStrokeThatIsNotReachedMeetsNoRequirements) {
 TEST(LineWorth, OfALinkageAsItLies) {
   Requirements wanted;
   wanted.max_length = 4.3;
-  EXPECT_TRUE(has_shape(linkage, wanted));
-  EXPECT_TRUE(has_place(linkage, wanted));
   wanted.types = {linkage_type(linkage.bars.lengths())};
   wanted.max_link_ratio = 4.3;
   wanted.ground_pivots_within = Box{0, 4, 0, 0};
   wanted.moving_pivots_within = Box{0, 3, 2, 3};
-  EXPECT_TRUE(has_shape(linkage, wanted));
-  EXPECT_TRUE(has_place(linkage, wanted));
+  EXPECT_TRUE(meets(LineWorth::unknown(), wanted));
   Requirements of_type = wanted, of_ratio = wanted, of_length = wanted, of_ground = wanted, of_moving = wanted;
   of_type.types = {LinkageType::change_point};
   of_ratio.max_link_ratio = 3.9;
   of_length.max_length = 3.9;
   of_ground.ground_pivots_within = Box{0, 3.9, 0, 0};
   of_moving.moving_pivots_within = Box{0, 3, 2, 2.8};
-  EXPECT_FALSE(has_shape(linkage, of_type));
-  EXPECT_FALSE(has_shape(linkage, of_ratio));
-  EXPECT_FALSE(has_place(linkage, of_length));
-  EXPECT_FALSE(has_place(linkage, of_ground));
-  EXPECT_FALSE(has_place(linkage, of_moving));
-  EXPECT_FALSE(meets(RequirementKind::types, linkage, of_type));
-  EXPECT_TRUE(meets(RequirementKind::min_stroke, linkage, of_type));
+  for (const Requirements& more : {of_type, of_ratio, of_length, of_ground, of_moving})
+    EXPECT_FALSE(meets(LineWorth::unknown(), more));
 }
 
 TEST(LineWorth, RanksByTheLengthOverTheLongestLinkAndByEachNumber) {
-  const LineWorth worth = LineWorth::of(figures(), 0.2);
-  EXPECT_DOUBLE_EQ(score_of(Objective::stroke, linkage, worth), 4 / linkage.longest());
-  EXPECT_EQ(score_of(Objective::deviation, linkage, worth), -0.2);
-  EXPECT_EQ(score_of(Objective::size, linkage, worth), -linkage.longest());
-  EXPECT_EQ(score_of(Objective::velocity_uniformity, linkage, worth), -1);
-  EXPECT_DOUBLE_EQ(score_of(Objective::min_transmission_angle, linkage, worth), versine_of_angle(radians(50)));
+  const Cell cell = line_cell(linkage, LineWorth::of(figures(), 0.2));
+  const auto score = [&](Objective objective) { return rank_of(objective, straight_line_measures).score(cell); };
+  EXPECT_DOUBLE_EQ(score(Objective::stroke), 4 / linkage.longest());
+  EXPECT_EQ(score(Objective::deviation), -0.2);
+  EXPECT_EQ(score(Objective::size), -linkage.longest());
+  EXPECT_EQ(score(Objective::velocity_uniformity), -1);
+  EXPECT_DOUBLE_EQ(score(Objective::min_transmission_angle), versine_of_angle(radians(50)));
 }
 
 }  // namespace

@@ -4,6 +4,8 @@
 #include <cmath>
 #include <gtest/gtest.h>
 
+#include "linkwright/region/improved_linkage.hpp"
+
 namespace linkwright::linkage_search_test {
 namespace {
 
@@ -20,61 +22,36 @@ double height(MapPoint place) {
   return highest;
 }
 
+constexpr std::array kept = {measures::min_transmission_angle};
+
 /// Linkages that are nothing but a place and a height over it.
 class HillFamily : public LinkageFamily {
  public:
   HillFamily() : LinkageFamily({AxisQuantity::side_length, {{"", 0, 1}}}, {AxisQuantity::side_length, {{"", 0, 1}}}) {}
+  [[nodiscard]] std::span<const Measure> measures() const override { return kept; }
+  [[nodiscard]] CellAt cells(bool /*respect_direction*/) const override {
+    return [](MapPoint place, const auto& /*is_worth_it*/) {
+      Cell cell{{LinkageType::double_rocker, {}, {height(place)}}, place};
+      cell.pivots.ground.push_back({place.input, place.output, 0});
+      return height(place) > 0 ? std::optional(cell) : std::nullopt;
+    };
+  }
   [[nodiscard]] MapPivots pivots(const RegionMap& /*map*/) const override { return {}; }
   [[nodiscard]] std::optional<LinkageOutput> output(MapPoint /*place*/) const override { return std::nullopt; }
 
  private:
   void fill(RegionMap& map, std::span<const double> input, std::span<const double> output, bool /*respect_direction*/,
             const RegionOptions& options, const Progress& progress) const override {
-    static constexpr std::array kept = {measures::min_transmission_angle};
     const auto cell_at = [&](std::size_t row, std::size_t column) {
-      return MapCell{LinkageType::double_rocker, {}, {static_cast<float>(height({input[row], output[column]}))}};
+      return MapCell{LinkageType::double_rocker, {}, {height({input[row], output[column]})}};
     };
     map.evaluate_cells(input, output, kept, {}, cell_at, options, progress);
   }
 };
 
-struct HillCandidate {
-  MapPoint place;
-  double score = 0;
-  bool local_optimum = false;
-  [[nodiscard]] LinkageType type() const { return LinkageType::double_rocker; }
-};
 struct HillSolution {
   MapPoint place;
   bool local_optimum = false;
-};
-
-class SearchedHills {
- public:
-  using Candidate = HillCandidate;
-  using Solution = HillSolution;
-
-  explicit SearchedHills(const HillFamily& family) : family_(family) {}
-  [[nodiscard]] const LinkageFamily& family() const { return family_; }
-  [[nodiscard]] std::optional<Candidate> candidate(MapPoint place) const {
-    return height(place) > 0 ? std::optional(Candidate{place, height(place)}) : std::nullopt;
-  }
-  [[nodiscard]] std::optional<Candidate> candidate(MapPoint place, const Candidate& /*known*/) const {
-    return candidate(place);
-  }
-  [[nodiscard]] double change_point_margin(const Candidate& /*here*/) const { return 1; }
-  [[nodiscard]] Candidate from_better_side(const Candidate& here) const { return here; }
-  [[nodiscard]] double distance(const Candidate& a, const Candidate& b) const {
-    return std::hypot(a.place.input - b.place.input, a.place.output - b.place.output);
-  }
-  [[nodiscard]] double size(const Candidate& /*of*/) const { return 1; }
-  [[nodiscard]] std::optional<Solution> make(MapPoint place) const { return Solution{place}; }
-  [[nodiscard]] bool is_confirmed(const Candidate& candidate, const Solution& /*made*/) const {
-    return distance_to(peaks[0], candidate.place) > 0.1;
-  }
-
- private:
-  const HillFamily& family_;
 };
 
 class LinkageSearchTest : public ::testing::Test {
@@ -86,12 +63,15 @@ class LinkageSearchTest : public ::testing::Test {
   }
   [[nodiscard]] BestLinkages<HillSolution> best(int most) {
     findings.options.best = most;
-    const RequirementFilter filter = filter_of(family, findings.region, findings.requirements);
-    findings.meeting_requirements = filter.census().meeting;
-    return best_linkages(kind, findings, {{&findings.region, &filter, {1.0 / 60, 1.0 / 60}}}, {});
+    const CountedRegion counted{
+        filter_of(family, findings.region, findings.requirements), {1.0 / 60, 1.0 / 60}, {}, {}};
+    findings.meeting_requirements = counted.filter.census().meeting;
+    return best_linkages(family, making, findings, counted, {});
   }
   HillFamily family;
-  SearchedHills kind{family};
+  const Making<HillSolution> making{
+      [](MapPoint place) { return std::optional(HillSolution{place}); },
+      [](const Cell& cell, const auto& /*made*/) { return distance_to(peaks[0], cell.place) > 0.1; }};
   Findings findings;
 };
 
@@ -126,10 +106,10 @@ TEST_F(LinkageSearchTest, FindsNothingWhereNothingIsAskedOrPasses) {
 }
 
 TEST_F(LinkageSearchTest, ImprovesAPlaceToTheTopOfItsHill) {
-  const auto top = improved_place(kind, {0.65, 0.6});
+  const auto top = improved_linkage(family, {}, Objective::min_transmission_angle, {0.65, 0.6});
   ASSERT_TRUE(top);
   EXPECT_LT(distance_to(peaks[2], *top), 1e-6);
-  EXPECT_FALSE(improved_place(kind, {0.05, 0.99})) << "nothing there";
+  EXPECT_FALSE(improved_linkage(family, {}, Objective::min_transmission_angle, {0.05, 0.99})) << "nothing there";
 }
 
 }  // namespace

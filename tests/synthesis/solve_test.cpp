@@ -72,8 +72,11 @@ TEST(SolveMotion, LinkagesMeetTheRequirementsAndAreChecked) {
       EXPECT_TRUE(wanted.ground_pivots_within->contains(linkage.four_bar.output_center));
       EXPECT_TRUE(wanted.moving_pivots_within->contains(linkage.four_bar.input_circle));
       EXPECT_TRUE(wanted.moving_pivots_within->contains(linkage.four_bar.output_circle));
-      const double score = score_of(
-          objective, {versine_of_angle(linkage.report.min_transmission_angle), ratio, linkage.lengths.longest()});
+      const double score =
+          rank_of(objective, planar_measures)
+              .score({linkage.report.type,
+                      {},
+                      {versine_of_angle(linkage.report.min_transmission_angle), 0, ratio, linkage.lengths.longest()}});
       EXPECT_LE(score, before);
       before = score;
     }

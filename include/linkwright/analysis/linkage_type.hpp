@@ -48,6 +48,8 @@ struct GrashofExcesses {
 };
 /// In the unit of the lengths.
 [[nodiscard]] GrashofExcesses grashof_excesses(const LinkLengths& lengths);
+/// The smallest excess, as a share of the perimeter: how far the links are from another type.
+[[nodiscard]] double change_point_margin(const LinkLengths& lengths);
 
 /// Type by the signs of the excesses; change point where one is at most tolerance::change_point of the perimeter;
 /// degenerate where a link is.

@@ -38,6 +38,14 @@ class ChainFamily : public LinkageFamily {
   /// As many on a curve without coordinates: none of its cells holds a six-bar, but there are cells to be counted.
   [[nodiscard]] std::vector<double> samples(Side side, int count, Spacing spacing) const override;
 
+  [[nodiscard]] std::span<const Measure> measures() const override;
+  /// Driven through without circuits.
+  [[nodiscard]] CellAt cells(bool respect_direction) const override;
+  [[nodiscard]] bool cells_take_long() const override { return true; }
+  /// Of a hinge, each being named.
+  [[nodiscard]] double distance(const Pivots& one, const Pivots& other) const override;
+  /// A branch of each curve, that of link 5 being the one there.
+  [[nodiscard]] AxisStretch stretch_around(Side side, MapPoint place) const override;
   [[nodiscard]] MapPivots pivots(const RegionMap& map) const override;
 
   [[nodiscard]] std::optional<LinkageOutput> output(MapPoint place) const override;

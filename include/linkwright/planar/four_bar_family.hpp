@@ -66,6 +66,8 @@ class FourBarFamily : public LinkageFamily {
   /// coordinate.
   [[nodiscard]] virtual std::vector<Dyad> polygon(Side side) const = 0;
 
+  [[nodiscard]] std::span<const Measure> measures() const override { return planar_measures; }
+  [[nodiscard]] CellAt cells(bool respect_direction) const override;
   [[nodiscard]] MapPivots pivots(const RegionMap& map) const override;
 
   [[nodiscard]] std::optional<LinkageOutput> output(MapPoint place) const override;
@@ -82,6 +84,10 @@ class FourBarFamily : public LinkageFamily {
   WorkingFrame frame_;
 };
 
+/// Its hinges.
+[[nodiscard]] Pivots pivots_of(const FourBar& bars);
+/// The bars of four hinges.
+[[nodiscard]] FourBar four_bar_of(const Pivots& pivots);
 /// The four-bar of a pair of dyads; nothing where a pivot is at infinity.
 [[nodiscard]] std::optional<FourBar> four_bar_of(const DyadPair& links);
 

@@ -5,6 +5,7 @@
 
 #include "linkwright/algebra/homogeneous.hpp"
 #include "linkwright/mechanism/dyad.hpp"
+#include "linkwright/mechanism/four_bar.hpp"
 #include "linkwright/mechanism/pose.hpp"
 
 namespace linkwright {
@@ -22,6 +23,7 @@ struct WorkingFrame {
   /// Points at infinity keep their direction; the vectors are not normalised.
   [[nodiscard]] Homogeneous to_user(Homogeneous p) const;
   [[nodiscard]] Homogeneous to_working(Homogeneous p) const;
+  [[nodiscard]] FourBar to_user(const FourBar& bars) const;
   /// Both points, neither vector normalised; the coordinate stays.
   [[nodiscard]] Dyad to_user(const Dyad& dyad) const;
   /// The finite point of a homogeneous one in the fixed frame; nothing where it is at infinity, which is judged in the

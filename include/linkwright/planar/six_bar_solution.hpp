@@ -12,7 +12,7 @@
 #include "linkwright/planar/six_bar_family.hpp"
 #include "linkwright/planar/six_bar_task.hpp"
 #include "linkwright/region/best_cells.hpp"
-#include "linkwright/region/region_map.hpp"
+#include "linkwright/region/linkage_family.hpp"
 #include "linkwright/region/requirements.hpp"
 
 namespace linkwright {
@@ -38,6 +38,11 @@ struct SixBarRating {
   [[nodiscard]] MapCell cell() const;
 };
 
+/// Hinges on the ground count as ground pivots, all others as moving ones.
+[[nodiscard]] Pivots pivots_of(const SixBar& six_bar);
+/// The same by itself, without place.
+[[nodiscard]] Cell cell_of(const SixBar& six_bar, const SixBarRating& rating);
+
 /// `circuits` as SixBarDriveOptions::circuits.
 [[nodiscard]] SixBarRating rating_of(const SixBarMember& member, bool circuits);
 
@@ -45,8 +50,6 @@ struct SixBarRating {
 /// and says the same (docs/theory/six-bars.md, section 4). A member without links of its own length is not driven.
 [[nodiscard]] std::vector<SixBarRating> ratings_of(std::span<const SixBarMember> members, Simd simd = Simd::automatic);
 
-/// Whether a six-bar meets the requirements that its drive has no say in: types, lengths, where its hinges lie.
-[[nodiscard]] bool meets_by_shape(const Requirements& wanted, const SixBar& six_bar, const SixBarShape& shape);
 /// Whether a six-bar meets requirements whose lengths are set. Hinges on the ground count as ground pivots, all
 /// others as moving ones, in position 1.
 [[nodiscard]] bool meets(const Requirements& wanted, const SixBar& six_bar, const SixBarRating& rating);

@@ -34,12 +34,6 @@ struct SixBarChoice {
                                                         const Requirements& requirements, const SixBarChoice& choice,
                                                         const Progress& progress = {});
 
-/// The top of the hill of that map on which a six-bar stands, as improved_linkage(). Nothing where the six-bar does not
-/// meet the requirements or is at the top already.
-[[nodiscard]] std::optional<MapPoint> improved_six_bar(const ChainFamily& family, const Requirements& requirements,
-                                                       Objective objective, MapPoint start,
-                                                       const AddedMeasures& added = {});
-
 /// How many chains are tried where nobody says: enough for most tasks, in half a second.
 inline constexpr int default_effort = 200'000;
 

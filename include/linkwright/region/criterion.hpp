@@ -83,6 +83,9 @@ inline constexpr std::size_t max_requirements = 10;
 using FailureBits = std::uint16_t;
 inline constexpr FailureBits all_failures = (1u << max_requirements) - 1;
 
+/// Those whose bits are set.
+[[nodiscard]] std::vector<RequirementKind> kinds_of(FailureBits failures, RequirementKinds kinds);
+
 /// Place of a kind among others; kinds.size() where it is not one of them.
 [[nodiscard]] constexpr std::size_t place_among(RequirementKinds kinds, RequirementKind kind) {
   std::size_t place = 0;

@@ -1,6 +1,8 @@
 #pragma once
 
+#include <array>
 #include <functional>
+#include <initializer_list>
 #include <memory>
 #include <optional>
 #include <span>
@@ -16,10 +18,38 @@
 
 namespace linkwright {
 
-/// The hinges of a linkage in position 1, user's frame: those on the ground, and all others. Of planar linkages their
-/// points in the plane z = 0, of spherical ones unit vectors along their axes.
+/// A few hinges in position 1, user's frame: of planar linkages their points in the plane z = 0, of spherical ones unit
+/// vectors along their axes.
+class Hinges {
+ public:
+  static constexpr std::size_t most = 5;  ///< of a six-bar, beside two of the others
+
+  Hinges(std::initializer_list<Vector3> hinges = {}) {
+    for (const Vector3 hinge : hinges) push_back(hinge);
+  }
+  void push_back(Vector3 hinge) { hinges_[count_++] = hinge; }
+  [[nodiscard]] std::size_t size() const { return count_; }
+  [[nodiscard]] Vector3 operator[](std::size_t i) const { return hinges_[i]; }
+  [[nodiscard]] const Vector3* begin() const { return hinges_.data(); }
+  [[nodiscard]] const Vector3* end() const { return hinges_.data() + count_; }
+
+ private:
+  std::array<Vector3, most> hinges_;
+  std::size_t count_ = 0;
+};
+
+/// The hinges of a linkage: those on the ground, and all others; of a four-bar those of the input link first.
 struct Pivots {
-  std::vector<Vector3> ground, moving;
+  Hinges ground, moving;
+};
+
+/// The linkage at a place by itself: the verdict of its cell in double precision, numbers that are not known yet being
+/// NaN, and what a search goes by.
+struct Cell : MapCell {
+  MapPoint place;
+  Pivots pivots;
+  double change_point_margin = 1;  ///< how far from another type, as a share of the linkage's size
+  std::size_t hill = 0;            ///< a climb stays where it is the same: the type, if not another number
 };
 
 /// The pivots of a map's linkages: of its rows and its columns, where each grounded link depends on its own coordinate
@@ -79,6 +109,23 @@ class LinkageFamily {
                                                                                const PivotWindows& /*windows*/) const {
     return std::nullopt;
   }
+
+  /// What the cells of its maps hold, in this order.
+  [[nodiscard]] virtual std::span<const Measure> measures() const = 0;
+  /// The linkages at places, one after the other: what those near each other have in common is worked out once. Nothing
+  /// where there is none, a link has no length, or `is_worth_it` does not hold of what is known before what takes long.
+  /// Of one thread; refers to the family, which must outlive it.
+  using CellAt =
+      std::function<std::optional<Cell>(MapPoint place, const std::function<bool(const Cell&)>& is_worth_it)>;
+  [[nodiscard]] virtual CellAt cells(bool respect_direction) const = 0;
+  /// One of them.
+  [[nodiscard]] std::optional<Cell> cell(MapPoint place, bool respect_direction = true) const;
+  /// A place takes so long that climbs are rougher: it is driven through.
+  [[nodiscard]] virtual bool cells_take_long() const { return false; }
+  /// How far apart two designs are: the largest distance of a hinge, the grounded links named whichever way is nearer.
+  [[nodiscard]] virtual double distance(const Pivots& one, const Pivots& other) const;
+  /// The stretch of an axis that a climb from a place keeps to.
+  [[nodiscard]] virtual AxisStretch stretch_around(Side side, MapPoint place) const;
 
   /// Where the hinges of a map of this family lie. Refers to the family and the map, which must outlive it.
   [[nodiscard]] virtual MapPivots pivots(const RegionMap& map) const = 0;

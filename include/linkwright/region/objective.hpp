@@ -1,8 +1,11 @@
 #pragma once
 
+#include <cstddef>
+#include <span>
 #include <string_view>
 
 #include "linkwright/region/measure.hpp"
+#include "linkwright/region/region_map.hpp"
 
 namespace linkwright {
 
@@ -34,17 +37,14 @@ enum class Objective {
 /// The measure that ranks the cells of a map; a larger or a smaller one is better, as the measure says.
 [[nodiscard]] const Measure& measure_of(Objective objective);
 
-/// The numbers that a linkage is ranked by, as a map stores them; those that its class has not stay 0.
-struct RankedNumbers {
-  double transmission_versine = 0;  ///< 1 − cos of the least transmission angle
-  double link_ratio = 0;
-  double longest_link = 0;  ///< user's unit
-  double link_versine = 0;  ///< 1 − cos of the least link angle
-  double stroke_over_longest = 0;
-  double deviation = 0;  ///< user's unit
-  double velocity_nonuniformity = 0;
+/// What ranks cells: one of their measures, the larger the better once multiplied by `sign`.
+struct Rank {
+  std::size_t measure = 0;
+  double sign = 1;
+  [[nodiscard]] double score(const MapCell& cell) const { return sign * cell.values[measure]; }
 };
-/// Larger is better: a versine, −ratio or −longest link. Of what no family measures itself AddedMeasures scores.
-[[nodiscard]] double score_of(Objective objective, const RankedNumbers& numbers);
+/// Among the measures of a family or a map, which hold the transmission angle; what they do not hold AddedMeasures
+/// scores, and alone it is the transmission angle that ranks.
+[[nodiscard]] Rank rank_of(Objective objective, std::span<const Measure> measures);
 
 }  // namespace linkwright

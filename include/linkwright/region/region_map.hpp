@@ -51,7 +51,7 @@ struct MapCell {
 
   LinkageType type = LinkageType::degenerate;
   Defects defects;
-  std::array<float, max_measures> values{};  ///< in the order of the map's measures, as they are stored
+  std::array<double, max_measures> values{};  ///< in the order of the map's measures, as they are stored
 };
 
 /// All linkages that a task leaves open over two coordinates, sampled and judged: row i is the driving link's sample,

@@ -11,9 +11,8 @@
 #include <vector>
 
 #include "linkwright/core/progress.hpp"
-#include "linkwright/region/criterion.hpp"
+#include "linkwright/region/cell_judge.hpp"
 #include "linkwright/region/linkage_family.hpp"
-#include "linkwright/region/pivot_windows.hpp"
 #include "linkwright/region/region_map.hpp"
 #include "linkwright/region/requirements.hpp"
 
@@ -68,7 +67,7 @@ class RequirementFilter {
                     const std::function<MapPivots()>& pivots = {}, const LinkageClass& linkages = planar_linkages);
 
   /// Those of the class, in the order of the bits.
-  [[nodiscard]] RequirementKinds kinds() const { return kinds_; }
+  [[nodiscard]] RequirementKinds kinds() const { return judge_.kinds(); }
 
   /// Bits of the requirements that a cell fails; all of them for a degenerate cell.
   [[nodiscard]] FailureBits failures(std::size_t row, std::size_t column) const;
@@ -93,7 +92,8 @@ class RequirementFilter {
  private:
   using Cells = std::vector<std::size_t>;
 
-  /// A limit of a measure, as the map stores it.
+  using Place = CellJudge::Place;
+  /// A limit of a column.
   struct Bound {
     RequirementKind kind;
     FailureBits bit;
@@ -110,19 +110,6 @@ class RequirementFilter {
     /// What the limit is of, degrees where it is an angle.
     [[nodiscard]] double value(std::size_t cell) const;
   };
-  /// Where hinges must lie.
-  struct Place {
-    RequirementKind kind;
-    FailureBits bit;
-    std::optional<Vector3> GroundedLinkPivots::*of_link;
-    std::vector<Vector3> Pivots::*of_linkage;
-    PivotWindow within;
-  };
-
-  void add_bound(const Criterion& asked);
-  void add_places();
-  [[nodiscard]] FailureBits bit(RequirementKind kind) const;
-  [[nodiscard]] std::vector<FailureBits> verdict_failures() const;
   [[nodiscard]] FailureBits place_failures(const GroundedLinkPivots& link) const;
   [[nodiscard]] unsigned place_failures_at(std::size_t row, std::size_t column) const;
   void failures_of_row(std::size_t row, FailureBits* failures) const;
@@ -139,10 +126,9 @@ class RequirementFilter {
 
   const RegionMap* map_;
   Requirements requirements_;
-  RequirementKinds kinds_;
+  CellJudge judge_;
   std::vector<FailureBits> verdict_failures_;  ///< by type · 8 + defects
   std::vector<Bound> bounds_;
-  std::vector<Place> places_;
   MapPivots pivots_;
   std::vector<FailureBits> input_place_failures_, output_place_failures_;
 };

@@ -9,6 +9,7 @@
 #include "linkwright/mechanism/spherical_four_bar.hpp"
 #include "linkwright/region/linkage_family.hpp"
 #include "linkwright/spherical/axis_curve.hpp"
+#include "linkwright/spherical/spherical_map.hpp"
 
 namespace linkwright {
 
@@ -18,6 +19,11 @@ struct SphericalDyadPair {
 
 /// The four-bar of a pair of dyads, with_short_links().
 [[nodiscard]] SphericalFourBar four_bar_of(const SphericalDyadPair& links);
+
+/// Its axes, senses as they are.
+[[nodiscard]] Pivots pivots_of(const SphericalFourBar& bars);
+/// The bars of four axes.
+[[nodiscard]] SphericalFourBar spherical_four_bar_of(const Pivots& pivots);
 
 /// The spherical four-bars that a task leaves open, over two coordinates. The dyads are in the fixed frame, their
 /// moving axes in position 1.
@@ -42,6 +48,10 @@ class SphericalFamily : public LinkageFamily {
   /// Dyads along the axis close enough to draw their axes as curves, by rising coordinate.
   [[nodiscard]] virtual std::vector<SphericalDyad> polygon(Side side) const = 0;
 
+  [[nodiscard]] std::span<const Measure> measures() const override { return spherical_measures; }
+  [[nodiscard]] CellAt cells(bool respect_direction) const override;
+  /// The largest distance on the unit sphere between two axes, which have no sense.
+  [[nodiscard]] double distance(const Pivots& one, const Pivots& other) const override;
   [[nodiscard]] std::optional<LinkageOutput> output(MapPoint place) const override;
   /// Of bars known already.
   [[nodiscard]] virtual LinkageOutput output_of(MapPoint place, const SphericalFourBar& bars) const;

@@ -17,6 +17,8 @@ struct SphericalExcesses {
 };
 /// Radians.
 [[nodiscard]] SphericalExcesses spherical_excesses(const LinkAngles& angles);
+/// The smallest excess, as a share of the four links together: how far they are from another type.
+[[nodiscard]] double change_point_margin(const LinkAngles& angles);
 
 /// crank_rocker, rocker_crank, double_crank, double_rocker or triple_rocker, which do not change when an axis is
 /// replaced by its antipode; change point where an excess, degenerate where a link is at most tolerance::change_point

@@ -1,8 +1,10 @@
 #pragma once
 
-#include "linkwright/region/criterion.hpp"
-#include "linkwright/region/objective.hpp"
-#include "linkwright/region/requirements.hpp"
+#include <array>
+#include <limits>
+
+#include "linkwright/region/linkage_family.hpp"
+#include "linkwright/region/measure.hpp"
 #include "linkwright/straight_line/straight_path.hpp"
 
 namespace linkwright {
@@ -16,21 +18,31 @@ struct LineWorth {
   double min_transmission_angle = 0;  ///< over the same, radians; where the stroke is not reached over that length
   double velocity_nonuniformity = 0;  ///< over the same; infinite where the input turns back
 
+  [[nodiscard]] static constexpr LineWorth unknown() {
+    constexpr double nan = std::numeric_limits<double>::quiet_NaN();
+    return {nan, nan, nan, nan};
+  }
   /// `over`: the length that counts.
   [[nodiscard]] static LineWorth of(const StrokeFigures& over, double deviation);
 };
 
-/// It does what one requirement asks; true of requirements that a straight line has not. `wanted` with max_length set.
-[[nodiscard]] bool meets(RequirementKind kind, const TracingFourBar& linkage, const Requirements& wanted);
-[[nodiscard]] bool meets(RequirementKind kind, const LineWorth& worth, const Requirements& wanted);
+/// What maps of straight lines hold, in this order.
+inline constexpr std::array<Measure, 11> straight_line_measures = {measures::usable_stroke,
+                                                                   measures::usable_strip,
+                                                                   measures::deviation,
+                                                                   measures::stroke_over_longest,
+                                                                   measures::min_transmission_angle,
+                                                                   measures::velocity_nonuniformity,
+                                                                   measures::contact_coefficient,
+                                                                   measures::usable_length,
+                                                                   measures::link_ratio,
+                                                                   measures::longest_link,
+                                                                   measures::valid};
+/// Those that follow from links and worth; NaN: usable_stroke, usable_strip, contact_coefficient.
+[[nodiscard]] std::array<double, straight_line_measures.size()> measured_line(const TracingFourBar& linkage,
+                                                                              const LineWorth& worth);
 
-/// Of a type and of proportions that are asked for, whatever its size; no link without length.
-[[nodiscard]] bool has_shape(const TracingFourBar& linkage, const Requirements& wanted);
-/// Of a size and at a place that are asked for.
-[[nodiscard]] bool has_place(const TracingFourBar& linkage, const Requirements& wanted);
-[[nodiscard]] bool meets(const LineWorth& worth, const Requirements& wanted);
-
-/// Larger is better.
-[[nodiscard]] double score_of(Objective objective, const TracingFourBar& linkage, const LineWorth& worth);
+/// A linkage as a cell, without defects and place. `worth`: LineWorth::unknown() where its path is not known yet.
+[[nodiscard]] Cell line_cell(const TracingFourBar& linkage, const LineWorth& worth);
 
 }  // namespace linkwright

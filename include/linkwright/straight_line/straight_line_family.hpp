@@ -10,6 +10,7 @@
 #include "linkwright/region/linkage_family.hpp"
 #include "linkwright/straight_line/line_design.hpp"
 #include "linkwright/straight_line/line_measuring.hpp"
+#include "linkwright/straight_line/line_worth.hpp"
 #include "linkwright/straight_line/straight_line_task.hpp"
 
 namespace linkwright {
@@ -53,6 +54,9 @@ class StraightLineFamily : public LinkageFamily {
   [[nodiscard]] double axis_value(Side side, double coordinate) const override;
   /// `count` to each layer.
   [[nodiscard]] std::vector<double> samples(Side side, int count, Spacing spacing) const override;
+  [[nodiscard]] std::span<const Measure> measures() const override { return straight_line_measures; }
+  /// Measured exactly, but for the usable length by the other measure and the contact.
+  [[nodiscard]] CellAt cells(bool respect_direction) const override;
   [[nodiscard]] MapPivots pivots(const RegionMap& map) const override;
 
   /// Its error is looked at in so many places along the line, the ends being worst: those listed, and those of a map.
@@ -71,8 +75,5 @@ class StraightLineFamily : public LinkageFamily {
   LineMeasuring measuring_;
   std::array<std::array<double, 2>, 2> ranges_;  ///< of both axes, radians or user's unit
 };
-
-/// The measures that maps of straight lines hold.
-[[nodiscard]] std::span<const Measure> straight_line_measures();
 
 }  // namespace linkwright

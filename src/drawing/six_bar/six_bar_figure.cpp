@@ -13,7 +13,7 @@
 namespace linkwright {
 namespace {
 
-using Hinges = SixBarScene::Hinges;
+using HingePoints = SixBarScene::Hinges;
 
 constexpr double path_step = radians(0.5);
 
@@ -48,7 +48,7 @@ std::optional<SixBarTurns> turns_in_pose(const StoredSixBar& linkage, const std:
   return closure_error(bars, turns) < tolerance::links_fit ? std::optional(turns) : std::nullopt;
 }
 
-std::vector<Point> body_corners(const SixBar& six_bar, const Hinges& hinges, int body) {
+std::vector<Point> body_corners(const SixBar& six_bar, const HingePoints& hinges, int body) {
   std::vector<Point> corners;
   for (const std::size_t joint : six_bar.joints_of(body)) corners.push_back(hinges[joint]);
   return corners;
@@ -59,14 +59,14 @@ std::vector<Point> to_px(const PlaneWindow& window, std::vector<Point> points) {
   return points;
 }
 
-Hinges hinges_of(const SixBar& six_bar) {
-  Hinges hinges{};
+HingePoints hinges_of(const SixBar& six_bar) {
+  HingePoints hinges{};
   for (std::size_t joint = 0; joint < hinges.size(); ++joint) hinges[joint] = six_bar.joints[joint].point;
   return hinges;
 }
 
 /// All bodies but the ground as thin outlines.
-void draw_outlines(SvgCanvas& svg, const PlaneWindow& window, const SixBar& six_bar, const Hinges& hinges) {
+void draw_outlines(SvgCanvas& svg, const PlaneWindow& window, const SixBar& six_bar, const HingePoints& hinges) {
   svg.begin_group("stroke-opacity=\"0.45\" stroke-linejoin=\"round\" stroke-linecap=\"round\" fill=\"none\"");
   for (int body = 1; body < SixBar::bodies; ++body) {
     const std::vector<Point> corners = to_px(window, body_corners(six_bar, hinges, body));
@@ -76,7 +76,7 @@ void draw_outlines(SvgCanvas& svg, const PlaneWindow& window, const SixBar& six_
   svg.end_group();
 }
 
-void draw_ground(SvgCanvas& svg, const PlaneWindow& window, const SixBar& six_bar, const Hinges& hinges) {
+void draw_ground(SvgCanvas& svg, const PlaneWindow& window, const SixBar& six_bar, const HingePoints& hinges) {
   std::vector<Point> corners = to_px(window, body_corners(six_bar, hinges, 0));
   for (const Point corner : corners) draw_ground_symbol(svg, corner);
   if (corners.size() > 2) corners.push_back(corners.front());
@@ -97,7 +97,7 @@ void draw_carried_frame(SvgCanvas& svg, const PlaneWindow& window, const SixBarS
                                           " stroke-opacity=\"0.6\" stroke-linejoin=\"round\"");
 }
 
-void draw_bodies(SvgCanvas& svg, const PlaneWindow& window, const SixBar& six_bar, const Hinges& hinges) {
+void draw_bodies(SvgCanvas& svg, const PlaneWindow& window, const SixBar& six_bar, const HingePoints& hinges) {
   for (const int body : {5, 4, 3, 2, 1}) {
     const std::vector<Point> corners = to_px(window, body_corners(six_bar, hinges, body));
     if (corners.size() == 2) {
@@ -113,7 +113,7 @@ void draw_bodies(SvgCanvas& svg, const PlaneWindow& window, const SixBar& six_ba
 std::string_view pin_color(const SixBarJoint& joint) { return body_color(std::max(joint.bodies[0], joint.bodies[1])); }
 
 /// Points along the outlines of the bodies, on the poses' frames and on the ground's symbols (px).
-std::vector<Point> obstacles(const PlaneWindow& window, const SixBarScene& scene, const Hinges& hinges) {
+std::vector<Point> obstacles(const PlaneWindow& window, const SixBarScene& scene, const HingePoints& hinges) {
   constexpr int points_a_side = 12;
   constexpr Point ground_symbol{0, 16};
   std::vector<Point> found;
@@ -158,7 +158,7 @@ std::vector<Point> points_of_interest(const SixBarScene& scene) {
   std::vector<Point> points;
   for (const SixBarJoint& joint : scene.six_bar.joints) points.push_back(joint.point);
   for (const PrescribedPose& pose : scene.poses) points.push_back(pose.pose.origin);
-  for (const Hinges& hinges : scene.positions) points.insert(points.end(), hinges.begin(), hinges.end());
+  for (const HingePoints& hinges : scene.positions) points.insert(points.end(), hinges.begin(), hinges.end());
   const std::vector<Point>& path = scene.path.empty() ? scene.whole_path : scene.path;
   points.insert(points.end(), path.begin(), path.end());
   return points;
@@ -171,7 +171,7 @@ std::string_view body_color(int body) {
 }
 
 void draw_six_bar(SvgCanvas& svg, const PlaneWindow& window, const SixBarScene& scene) {
-  const Hinges hinges = hinges_of(scene.six_bar);
+  const HingePoints hinges = hinges_of(scene.six_bar);
   draw_traced_path(svg, window, scene.whole_path, scene.path.empty());
   for (std::size_t i = scene.positions.size(); i-- > 0;) draw_outlines(svg, window, scene.six_bar, scene.positions[i]);
   draw_traced_path(svg, window, scene.path, true);

@@ -1,4 +1,4 @@
-#include "linkwright/planar/improved_linkage.hpp"
+#include "linkwright/region/improved_linkage.hpp"
 
 #include <cmath>
 #include <gtest/gtest.h>
