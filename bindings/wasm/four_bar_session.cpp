@@ -6,7 +6,6 @@
 #include "function_reply.hpp"
 #include "linkage_reply.hpp"
 #include "linkwright/core/angle.hpp"
-#include "linkwright/planar/function_search.hpp"
 #include "linkwright/planar/missed_box.hpp"
 #include "linkwright/region/improved_linkage.hpp"
 #include "reply_json.hpp"

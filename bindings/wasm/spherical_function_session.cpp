@@ -5,7 +5,6 @@
 
 #include "function_reply.hpp"
 #include "linkwright/region/improved_linkage.hpp"
-#include "linkwright/spherical/spherical_function_search.hpp"
 #include "reply_json.hpp"
 #include "spherical_reply.hpp"
 

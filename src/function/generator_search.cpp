@@ -7,6 +7,7 @@
 
 #include "linkwright/core/parallel.hpp"
 #include "linkwright/region/hill_tops.hpp"
+#include "region/climb.hpp"
 #include "region/ordered_axes.hpp"
 
 namespace linkwright {
@@ -21,16 +22,22 @@ ErrorSampling sampling_of(int error_samples) {
 /// The grid, and what stands at any place.
 class GeneratorSearch {
  public:
-  GeneratorSearch(const GeneratorSource& source, const GeneratorSearchOptions& options)
-      : source_(source),
+  GeneratorSearch(const GeneratorFamily& family, const Requirements& requirements,
+                  const GeneratorSearchOptions& options)
+      : generators_(family),
+        family_(family.linkage_family()),
+        evaluator_(family_, requirements, Objective::min_transmission_angle, options.window, options.added),
         options_(options),
-        inputs_(
-            samples_within(source.family(), Side::input, options.window, options.input_samples, Spacing::coordinate)),
-        values_(
-            samples_within(source.family(), Side::output, options.window, options.free_samples, Spacing::coordinate)) {}
+        inputs_(samples_within(family_, Side::input, options.window, options.input_samples, Spacing::coordinate)),
+        values_(samples_within(family_, Side::output, options.window, options.free_samples, Spacing::coordinate)) {}
 
   [[nodiscard]] std::optional<RankedGenerator> at(MapPoint place, int error_samples) const {
-    return source_.at(place, sampling_of(error_samples));
+    const auto found = evaluator_.candidate(place);
+    if (!found) return std::nullopt;
+    const Cell& cell = found->cell;
+    const FunctionError error = generators_.error_of(cell.pivots, place, sampling_of(error_samples));
+    if (!error.max_structural_error || !error.unreached.empty()) return std::nullopt;
+    return RankedGenerator{place, cell.type, cell.pivots, *error.max_structural_error};
   }
 
   /// The best cells of the grid that no neighbour of the same type betters, best first.
@@ -63,7 +70,7 @@ class GeneratorSearch {
   /// From there to the least error near, the type kept, found to that share of the grid's steps.
   [[nodiscard]] RankedGenerator climbed(const RankedGenerator& start, double resolution,
                                         const Progress& progress) const {
-    const OrderedAxes axes(source_.family());
+    const OrderedAxes axes(family_);
     const auto score_at = [&](double first, double second) -> std::optional<double> {
       const auto there = at(axes.place({first, second}), options_.error_samples);
       return there && there->type == start.type ? std::optional(-there->max_structural_error) : std::nullopt;
@@ -77,11 +84,13 @@ class GeneratorSearch {
 
  private:
   [[nodiscard]] double step(Side side, const std::vector<double>& samples) const {
-    const MapAxis& axis = source_.family().axis(side);
+    const MapAxis& axis = family_.axis(side);
     return axis.is_discrete() ? 0 : axis.coordinate_length() / static_cast<double>(samples.size());
   }
 
-  const GeneratorSource& source_;
+  const GeneratorFamily& generators_;
+  const LinkageFamily& family_;
+  Evaluator evaluator_;
   GeneratorSearchOptions options_;
   std::vector<double> inputs_, values_;
 };
@@ -93,13 +102,13 @@ bool more_precise(const RankedGenerator& a, const RankedGenerator& b) {
 }
 
 /// The best of them, no two alike.
-std::vector<RankedGenerator> distinct(const GeneratorSource& source, std::vector<RankedGenerator> generators,
+std::vector<RankedGenerator> distinct(const GeneratorFamily& family, std::vector<RankedGenerator> generators,
                                       std::size_t most) {
   std::sort(generators.begin(), generators.end(), more_precise);
   std::vector<RankedGenerator> held;
   for (const RankedGenerator& generator : generators) {
     const bool known = std::any_of(held.begin(), held.end(), [&](const RankedGenerator& other) {
-      return source.are_alike(other.place, generator.place);
+      return family.are_alike(other.hinges, generator.hinges);
     });
     if (!known && held.size() < most) held.push_back(generator);
   }
@@ -111,17 +120,17 @@ constexpr double coarse_resolution = 1e-2, fine_resolution = 1e-7;
 
 }  // namespace
 
-std::vector<RankedGenerator> best_generators(const GeneratorSource& source, const GeneratorSearchOptions& options,
-                                             const Progress& progress) {
+std::vector<RankedGenerator> best_generators(const GeneratorFamily& family, const Requirements& requirements,
+                                             const GeneratorSearchOptions& options, const Progress& progress) {
   if (options.max_count <= 0) return {};
-  const GeneratorSearch search(source, options);
+  const GeneratorSearch search(family, requirements, options);
   const auto most = static_cast<std::size_t>(options.max_count);
   const auto climbed = [&](std::vector<RankedGenerator> hills, double resolution) {
     parallel_for(hills.size(), options.threads, [&](std::size_t begin, std::size_t end) {
       for (std::size_t i = begin; i < end && !progress.is_cancelled(); ++i)
         hills[i] = search.climbed(hills[i], resolution, progress);
     });
-    return distinct(source, std::move(hills), most);
+    return distinct(family, std::move(hills), most);
   };
   std::vector<RankedGenerator> best = climbed(climbed(search.hills(progress), coarse_resolution), fine_resolution);
   if (progress.is_cancelled()) return {};
@@ -131,8 +140,11 @@ std::vector<RankedGenerator> best_generators(const GeneratorSource& source, cons
   return best;
 }
 
-std::optional<MapPoint> improved_generator(const GeneratorSource& source, MapPoint start) {
-  const GeneratorSearch search(source, {});
+std::optional<MapPoint> improved_generator(const GeneratorFamily& family, const Requirements& requirements,
+                                           MapPoint start, const AddedMeasures& added) {
+  GeneratorSearchOptions options;
+  options.added = added;
+  const GeneratorSearch search(family, requirements, options);
   const auto foot = search.at(start, GeneratorSearchOptions{}.error_samples);
   if (!foot) return std::nullopt;
   const RankedGenerator top = search.climbed(*foot, fine_resolution, {});

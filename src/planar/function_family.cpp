@@ -83,6 +83,12 @@ std::optional<double> FunctionFamily::rate_residual(MapPoint place) const {
   return coupler && !rows.empty() ? std::optional(residual_of(*coupler, rows)) : std::nullopt;
 }
 
+bool FunctionFamily::are_alike(const Pivots& one, const Pivots& other) const {
+  constexpr double alike = 0.02;  // of the ground link
+  const double most = alike * std::abs(task_.output_pivot - task_.input_pivot);
+  return norm(one.moving[0] - other.moving[0]) < most && norm(one.moving[1] - other.moving[1]) < most;
+}
+
 // In the frame of the family: the frames of all columns have their origin in the input's ground pivot.
 std::optional<Dyad> FunctionFamily::coupler(const Columns::Column& column, double tau) const {
   auto found = column.couplers->coupler(axis(Side::input).onto(tau));

@@ -63,6 +63,11 @@ FunctionError SphericalFunctionFamily::error_of(const SphericalFourBar& bars, Ma
                             sampling);
 }
 
+bool SphericalFunctionFamily::are_alike(const Pivots& one, const Pivots& other) const {
+  constexpr double alike = pi / 180;
+  return norm(cross(one.moving[0], other.moving[0])) < alike && norm(cross(one.moving[1], other.moving[1])) < alike;
+}
+
 std::optional<double> SphericalFunctionFamily::rate_residual(MapPoint place) const {
   const Columns::Column column = columns_->recent_at(place.output);
   const auto coupler = column.couplers->coupler(axis(Side::input).onto(place.input));

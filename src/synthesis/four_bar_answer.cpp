@@ -11,7 +11,6 @@
 #include "linkwright/core/tolerance.hpp"
 #include "linkwright/planar/chosen_length.hpp"
 #include "linkwright/planar/function_family.hpp"
-#include "linkwright/planar/function_search.hpp"
 #include "pair_answer.hpp"
 #include "picked_place.hpp"
 #include "reason.hpp"

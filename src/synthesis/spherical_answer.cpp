@@ -3,7 +3,6 @@
 #include <algorithm>
 
 #include "linkwright/spherical/spherical_function_family.hpp"
-#include "linkwright/spherical/spherical_function_search.hpp"
 #include "linkwright/spherical/spherical_task_family.hpp"
 #include "pair_answer.hpp"
 #include "picked_place.hpp"

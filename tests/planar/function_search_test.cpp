@@ -1,5 +1,3 @@
-#include "linkwright/planar/function_search.hpp"
-
 #include <algorithm>
 #include <cmath>
 #include <gtest/gtest.h>
@@ -9,6 +7,7 @@
 #include "linkwright/core/angle.hpp"
 #include "linkwright/function/function_error.hpp"
 #include "linkwright/planar/four_bar_solution.hpp"
+#include "linkwright/planar/function_family.hpp"
 #include "linkwright/planar/function_linkage.hpp"
 #include "linkwright/synthesis/solve.hpp"
 #include "support/random_function.hpp"

@@ -1,10 +1,9 @@
-#include "linkwright/spherical/spherical_function_search.hpp"
-
 #include <algorithm>
 #include <gtest/gtest.h>
 #include <optional>
 
 #include "linkwright/core/angle.hpp"
+#include "linkwright/spherical/spherical_function_family.hpp"
 #include "linkwright/spherical/spherical_solution.hpp"
 #include "support/spherical_function.hpp"
 

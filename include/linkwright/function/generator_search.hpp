@@ -15,20 +15,23 @@ namespace linkwright {
 struct RankedGenerator {
   MapPoint place;
   LinkageType type = LinkageType::degenerate;
+  Pivots hinges;
   double max_structural_error = 0;  ///< over the whole range, radians; with a free scale, of the output as scaled
 };
 
-/// The linkages of a family with a named function, as a search for the best takes them.
-class GeneratorSource {
+/// What a family of linkages that generate a function says of them besides.
+class GeneratorFamily {
  public:
-  virtual ~GeneratorSource() = default;
+  virtual ~GeneratorFamily() = default;
 
-  [[nodiscard]] virtual const LinkageFamily& family() const = 0;
-  /// The linkage at a place; nothing where it does not meet the requirements, does not reach the whole range of inputs
-  /// or lies outside the window. Called from several threads.
-  [[nodiscard]] virtual std::optional<RankedGenerator> at(MapPoint place, const ErrorSampling& sampling) const = 0;
+  /// The family that it is.
+  [[nodiscard]] virtual const LinkageFamily& linkage_family() const = 0;
+  /// How well the linkage at a place, with these hinges, generates the task's pairs and its named function. Called from
+  /// several threads.
+  [[nodiscard]] virtual FunctionError error_of(const Pivots& hinges, MapPoint place,
+                                               const ErrorSampling& sampling) const = 0;
   /// Two of them are one design.
-  [[nodiscard]] virtual bool are_alike(MapPoint one, MapPoint other) const = 0;
+  [[nodiscard]] virtual bool are_alike(const Pivots& one, const Pivots& other) const = 0;
 };
 
 struct GeneratorSearchOptions {
@@ -42,14 +45,18 @@ struct GeneratorSearchOptions {
   std::vector<MapPoint> starts{};   ///< places known to hold generators, beside the grid: inside small windows
 };
 
-/// The linkages whose largest structural error is least: hills of a grid over the map, climbed continuously in both
-/// coordinates with the type kept. No two are alike.
-[[nodiscard]] std::vector<RankedGenerator> best_generators(const GeneratorSource& source,
+/// The linkages that meet the requirements (defaults filled in), reach the whole range of inputs and have the least
+/// largest structural error: hills of a grid over the map, climbed continuously in both coordinates with the type kept.
+/// No two are alike; none without a named function.
+[[nodiscard]] std::vector<RankedGenerator> best_generators(const GeneratorFamily& family,
+                                                           const Requirements& requirements,
                                                            const GeneratorSearchOptions& options = {},
                                                            const Progress& progress = {});
 
 /// The place that is reached from `start` by climbing to a lesser structural error, the type kept; nothing where
 /// `start` is none that best_generators() would list, or nothing near it is better.
-[[nodiscard]] std::optional<MapPoint> improved_generator(const GeneratorSource& source, MapPoint start);
+[[nodiscard]] std::optional<MapPoint> improved_generator(const GeneratorFamily& family,
+                                                         const Requirements& requirements, MapPoint start,
+                                                         const AddedMeasures& added = {});
 
 }  // namespace linkwright

@@ -6,7 +6,7 @@
 #include <vector>
 
 #include "linkwright/function/function_columns.hpp"
-#include "linkwright/function/function_error.hpp"
+#include "linkwright/function/generator_search.hpp"
 #include "linkwright/planar/four_bar_family.hpp"
 #include "linkwright/planar/function_couplers.hpp"
 #include "linkwright/planar/function_task.hpp"
@@ -20,7 +20,7 @@ namespace linkwright {
 ///
 /// Where the free parameter changes the number of the curve's branches, the axis has the most that occur, and the cells
 /// beyond are empty.
-class FunctionFamily : public FourBarFamily {
+class FunctionFamily : public FourBarFamily, public GeneratorFamily {
  public:
   /// `task` without mistakes, `couplers` its own, with a curve or points.
   FunctionFamily(FunctionTask task, std::shared_ptr<const FunctionCouplers> couplers);
@@ -34,6 +34,13 @@ class FunctionFamily : public FourBarFamily {
 
   /// How well a linkage from there, user's frame, generates the task's pairs and its named function.
   [[nodiscard]] FunctionError error_of(const FourBar& bars, MapPoint place, const ErrorSampling& sampling = {}) const;
+
+  [[nodiscard]] const LinkageFamily& linkage_family() const override { return *this; }
+  [[nodiscard]] FunctionError error_of(const Pivots& hinges, MapPoint place,
+                                       const ErrorSampling& sampling) const override {
+    return error_of(four_bar_of(hinges), place, sampling);
+  }
+  [[nodiscard]] bool are_alike(const Pivots& one, const Pivots& other) const override;
 
   /// Largest |Zᵀ M C| of the coupler there, seen from the output link, over the orthonormal rows of the derivatives'
   /// conditions (unit Z and C); nothing where no pair has derivatives.

@@ -6,7 +6,7 @@
 #include <vector>
 
 #include "linkwright/function/function_columns.hpp"
-#include "linkwright/function/function_error.hpp"
+#include "linkwright/function/generator_search.hpp"
 #include "linkwright/spherical/spherical_couplers.hpp"
 #include "linkwright/spherical/spherical_family.hpp"
 #include "linkwright/spherical/spherical_function_task.hpp"
@@ -18,7 +18,7 @@ namespace linkwright {
 /// The spherical four-bars that generate a function: rows of their map are places on the curve of couplers (or, with
 /// five positions, its few points), columns the free parameter of the task, or one only. The input is named by the
 /// task: nothing is driven from the other side.
-class SphericalFunctionFamily : public SphericalFamily {
+class SphericalFunctionFamily : public SphericalFamily, public GeneratorFamily {
  public:
   /// `task` without mistakes, `couplers` its own, with a curve or points.
   SphericalFunctionFamily(SphericalFunctionTask task, std::shared_ptr<const SphericalCouplers> couplers);
@@ -32,6 +32,13 @@ class SphericalFunctionFamily : public SphericalFamily {
   /// How well a linkage from there generates the task's pairs and its named function.
   [[nodiscard]] FunctionError error_of(const SphericalFourBar& bars, MapPoint place,
                                        const ErrorSampling& sampling = {}) const;
+
+  [[nodiscard]] const LinkageFamily& linkage_family() const override { return *this; }
+  [[nodiscard]] FunctionError error_of(const Pivots& hinges, MapPoint place,
+                                       const ErrorSampling& sampling) const override {
+    return error_of(spherical_four_bar_of(hinges), place, sampling);
+  }
+  [[nodiscard]] bool are_alike(const Pivots& one, const Pivots& other) const override;
 
   /// Largest |Gᵀ D W| of the coupler there, seen from the input link, over the conditions of the derivatives (unit
   /// rows); nothing where no pair has derivatives.
