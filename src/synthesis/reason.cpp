@@ -153,6 +153,11 @@ ReasonFacts reason_facts(const FourBarAnswer& answer) {
   return facts;
 }
 
+ReasonFacts reason_facts(const SphericalAnswer& answer) {
+  return {answer.given.has_directions, "No pair of dyads makes a four-bar: in every pair a link has no length.", "",
+          is_complete(*answer.given.family)};
+}
+
 void state_reason(Findings& answer, const TaskWords& words, const ReasonFacts& facts) {
   const RegionCounts& counts = answer.counts;
   const std::int64_t whole = counts.pairs - counts.types[static_cast<std::size_t>(LinkageType::degenerate)];

@@ -35,6 +35,7 @@ struct ReasonFacts {
   bool is_complete = false;     ///< the map holds all linkages that there are: what it has not, there is not
 };
 [[nodiscard]] ReasonFacts reason_facts(const FourBarAnswer& answer);
+[[nodiscard]] ReasonFacts reason_facts(const SphericalAnswer& answer);
 
 /// The map of a family of a few dyads, any two of which make a linkage, holds all that there are.
 [[nodiscard]] bool is_complete(const LinkageFamily& family);

@@ -1,0 +1,268 @@
+#include "pair_answer.hpp"
+
+#include <algorithm>
+#include <optional>
+#include <utility>
+#include <vector>
+
+#include "linkage_search.hpp"
+#include "linkwright/core/tolerance.hpp"
+#include "linkwright/function/generator_search.hpp"
+#include "linkwright/planar/chosen_length.hpp"
+#include "linkwright/planar/function_family.hpp"
+#include "linkwright/spherical/spherical_function_family.hpp"
+#include "linkwright/spherical/spherical_task_family.hpp"
+#include "picked_place.hpp"
+#include "reason.hpp"
+#include "region_count.hpp"
+#include "warnings.hpp"
+
+namespace linkwright {
+namespace {
+
+// The linkage at a place of the map, driven through; nothing where there is none.
+std::optional<FourBarSolution> linkage_at(const FourBarAnswer& answer, MapPoint place) {
+  constexpr bool verify = true;
+  return make_four_bar(answer.given, place, answer.requirements.respect_direction, verify);
+}
+std::optional<SphericalSolution> linkage_at(const SphericalAnswer& answer, MapPoint place) {
+  constexpr bool verify = true;
+  return make_spherical_four_bar(answer.given, place, answer.requirements.respect_direction, verify);
+}
+
+// Refers to the answer.
+template <class KindAnswer>
+auto making_of(const KindAnswer& answer) {
+  using Solution = typename decltype(answer.linkages)::value_type;
+  return Making<Solution>{[&answer](MapPoint place) { return linkage_at(answer, place); },
+                          [](const Cell& cell, const Solution& made) {
+                            return cell.type == made.report.type && cell.defects == made.report.defects &&
+                                   !is_unconfirmed(made);
+                          }};
+}
+
+// No defects, then the larger least transmission angle, then the smaller coordinate.
+template <class Solution>
+bool is_better_linkage(const Solution& a, const Solution& b) {
+  if (a.report.defects.none() != b.report.defects.none()) return a.report.defects.none();
+  const double angle = a.report.min_transmission_angle, other = b.report.min_transmission_angle;
+  return angle != other ? angle > other : a.input.coordinate < b.input.coordinate;
+}
+
+// Of a few dyads: every pair as a four-bar, the better driver first named, best first.
+template <class KindAnswer>
+auto all_pairs(const KindAnswer& answer) {
+  const std::vector<double> places = answer.family()->samples(Side::input, 0, Spacing::coordinate);
+  decltype(answer.linkages) pairs;
+  for (std::size_t i = 0; i < places.size(); ++i)
+    for (std::size_t j = i + 1; j < places.size(); ++j) {
+      auto one = linkage_at(answer, {places[i], places[j]}), other = linkage_at(answer, {places[j], places[i]});
+      if (one && other) pairs.push_back(is_better_linkage(*other, *one) ? *other : *one);
+    }
+  std::sort(pairs.begin(), pairs.end(), [](const auto& a, const auto& b) { return is_better_linkage(a, b); });
+  return pairs;
+}
+
+// Where driving a generator free of defects confirms it, it must also have brought the output to each pair.
+template <class Solution, class Family>
+void measure_function(Solution& found, const Family& family) {
+  const MapPoint place{found.input.coordinate, found.output.coordinate};
+  found.function = family.error_of(found.four_bar, place);
+  found.residual_derivatives = family.rate_residual(place);
+  if (found.report.defects.none())
+    found.verified_by_driving = found.verified_by_driving && found.function->reaches_pairs &&
+                                found.function->precision_error <= tolerance::pair_met;
+}
+
+// The linkages of least structural error.
+template <class KindAnswer, class Family>
+auto least_error_linkages(const Family& family, const KindAnswer& answer, const Progress& progress) {
+  GeneratorSearchOptions search;
+  search.max_count = answer.options.best;
+  search.window = answer.options.window;
+  search.threads = answer.options.region.threads;
+  search.added = answer.added;
+  if (answer.inside)
+    for (const auto& known : answer.linkages) search.starts.push_back(answer.point_of(known));
+  decltype(answer.linkages) found;
+  for (const RankedGenerator& ranked : best_generators(family, answer.requirements, search, progress))
+    if (auto made = linkage_at(answer, ranked.place)) {
+      made->local_optimum = true;
+      found.push_back(*std::move(made));
+    }
+  return found;
+}
+
+// Five precision points: the few linkages there are, whatever their defects, best first; otherwise none.
+template <class KindAnswer>
+auto all_generators(const KindAnswer& answer) {
+  const LinkageFamily& family = *answer.family();
+  decltype(answer.linkages) found;
+  if (family.axis(Side::input).quantity != AxisQuantity::burmester_point) return found;
+  const double only = family.samples(Side::output, 0, Spacing::coordinate).front();
+  for (const double place : family.samples(Side::input, 0, Spacing::coordinate))
+    if (auto made = linkage_at(answer, {place, only})) found.push_back(*std::move(made));
+  std::sort(found.begin(), found.end(), [](const auto& a, const auto& b) { return is_better_linkage(a, b); });
+  return found;
+}
+
+// What a task of a function adds to the linkages found: those of least error where they are asked for, all of five
+// precision points, and how well each generates. False where it was cancelled.
+template <class KindAnswer, class Family>
+bool find_generators(KindAnswer& answer, const Family& family, const Progress& progress) {
+  if (answer.options.objective == Objective::structural_error && !answer.options.at)
+    answer.linkages = least_error_linkages(family, answer, progress);
+  if (progress.is_cancelled()) return false;
+  answer.pairs = all_generators(answer);
+  for (auto* list : {&answer.linkages, &answer.pairs})
+    for (auto& found : *list) measure_function(found, family);
+  return true;
+}
+
+std::vector<Dyad> curve_samples(const FourBarAnswer& answer) {
+  const TaskFamily& given = answer.given;
+  std::vector<Dyad> dyads;
+  if (!given.curve) return dyads;
+  for (const double tau : given.curve->samples(answer.options.region_samples, answer.options.spacing))
+    dyads.push_back(given.frame().to_user(given.curve->dyad(tau)));
+  return dyads;
+}
+std::vector<SphericalDyad> curve_samples(const SphericalAnswer& answer) {
+  const auto& curve = answer.given.curve;
+  std::vector<SphericalDyad> dyads;
+  if (!curve) return dyads;
+  for (const double at : curve->samples(answer.options.region_samples, answer.options.spacing))
+    dyads.push_back(curve->dyad(at));
+  return dyads;
+}
+
+// What a length was chosen for is to be seen again.
+int samples_inside(const TaskFamily& given) { return given.chose_length ? ChosenLength::samples : 0; }
+int samples_inside(const SphericalTaskFamily& /*given*/) { return 0; }
+
+void look_at_map(FourBarAnswer& answer) {
+  warn_of_map(answer);
+  if (nothing_meets_requirements(answer)) answer.missed_boxes = missed_boxes(*answer.given.family, answer.requirements);
+}
+void look_at_map(SphericalAnswer& /*answer*/) {}
+
+// What is found of a family of pairs; false where it was cancelled.
+template <class KindAnswer>
+bool find_pairs(KindAnswer& answer, const TaskWords& words, const Progress& progress) {
+  const auto& given = answer.given;
+  answer.samples = curve_samples(answer);
+  if (!given.family) {
+    answer.status = given.has_no_dyads ? SolutionStatus::no_solution : SolutionStatus::degenerate;
+    answer.reason = given.degeneracy.value_or(Notice{});
+    return true;
+  }
+  const LinkageFamily& family = *given.family;
+  const CountedRegion counted = count_region(
+      answer, family, {answer.options.region_samples, answer.options.window, samples_inside(given)}, progress);
+  look_at_map(answer);
+  if (!given.points.empty() && !given.curve) answer.pairs = all_pairs(answer);
+  if (answer.options.at) {
+    list_what_is_there(answer, family,
+                       [&](MapPoint place, const auto& /*failed*/) { return linkage_at(answer, place); });
+  } else {
+    auto best = best_linkages(family, making_of(answer), answer, counted, progress);
+    answer.linkages = std::move(best.linkages);
+    answer.left_out = best.left_out;
+    warn_of_more(answer, best.beyond);
+    state_reason(answer, words, reason_facts(answer));
+  }
+  progress(1);
+  return !progress.is_cancelled();
+}
+
+Error cancelled() { return {"cancelled", "", "stopped before the answer was complete"}; }
+
+// An answer of the kind, before anything is searched for.
+template <class KindAnswer, class KindTask, class Given>
+KindAnswer begin_answer(const KindTask& task, Given given) {
+  KindAnswer answer;
+  answer.task = task;
+  answer.pattern = given.pattern;
+  answer.condition = given.conditions.condition();
+  answer.warnings = given.warnings;
+  answer.given = std::move(given);
+  return answer;
+}
+
+void set_wishes(FourBarAnswer& answer, const Requirements& requirements, const SynthesisOptions& options) {
+  answer.characteristic_length = answer.given.frame().scale;
+  answer.requirements = with_defaults(requirements, answer.given);
+  answer.options = with_turning_length(options, answer.characteristic_length);
+}
+void set_wishes(SphericalAnswer& answer, const Requirements& requirements, const SynthesisOptions& options) {
+  answer.requirements = with_default_angles(requirements);
+  answer.options = options;
+}
+
+// Nothing passes all five positions: which of them to free is to be said.
+template <class KindAnswer>
+bool wants_relaxed(const KindAnswer& answer, int positions) {
+  return positions == 5 && !answer.given.curve && answer.linkages.empty() && answer.options.best > 0 &&
+         !answer.options.at;
+}
+
+// The input is the task's, and so are the ground pivots: what is left to measure is the function.
+template <class KindAnswer>
+Result<Answer> generators(KindAnswer answer, const Requirements& requirements, const SynthesisOptions& options,
+                          const TaskWords& words, const Progress& progress) {
+  set_wishes(answer, requirements, options);
+  if (!find_pairs(answer, words, progress)) return cancelled();
+  if (const auto& family = answer.given.functions; family && !find_generators(answer, *family, progress))
+    return cancelled();
+  return Answer(std::move(answer));
+}
+
+// The way from one share of `progress`, which must outlive it, to another.
+Progress part_of(const Progress& progress, double from, double to) {
+  return {[&progress, from, to](double done) { progress(from + (to - from) * done); }, progress.cancelled};
+}
+
+}  // namespace
+
+// Five positions that no usable four-bar passes: which of them to free, and what its error becomes.
+Result<Answer> solve_of_kind(const MotionTask& task, const Requirements& requirements, const SynthesisOptions& options,
+                             const Progress& progress) {
+  const bool five = position_count(task.poses) == 5;
+  const double here = five ? 0.5 : 1;
+  auto answer =
+      begin_answer<MotionAnswer>(task, task_family(task, requirements, options.objective, {{}, progress.cancelled}));
+  set_wishes(answer, requirements, options);
+  if (!find_pairs(answer, {}, part_of(progress, 0, here))) return cancelled();
+  if (wants_relaxed(answer, position_count(task.poses))) {
+    answer.relaxed = drop_one_position(task, requirements, {.region = options.region}, part_of(progress, here, 1));
+    if (progress.is_cancelled()) return cancelled();
+  }
+  if (five) progress(1);
+  return Answer(std::move(answer));
+}
+
+Result<Answer> solve_of_kind(const SphericalMotionTask& task, const Requirements& requirements,
+                             const SynthesisOptions& options, const Progress& progress) {
+  auto answer = begin_answer<SphericalMotionAnswer>(task, task_family(task));
+  set_wishes(answer, requirements, options);
+  if (!find_pairs(answer, spherical_words, progress)) return cancelled();
+  if (wants_relaxed(answer, position_count(task.orientations))) {
+    answer.relaxed = drop_one_orientation(task, requirements, options.region, progress);
+    if (progress.is_cancelled()) return cancelled();
+  }
+  return Answer(std::move(answer));
+}
+
+Result<Answer> solve_of_kind(const FunctionTask& task, const Requirements& requirements,
+                             const SynthesisOptions& options, const Progress& progress) {
+  return generators(begin_answer<FunctionAnswer>(task, task_family(task)), requirements, options, function_words,
+                    progress);
+}
+
+Result<Answer> solve_of_kind(const SphericalFunctionTask& task, const Requirements& requirements,
+                             const SynthesisOptions& options, const Progress& progress) {
+  return generators(begin_answer<SphericalFunctionAnswer>(task, task_family(task)), requirements, options,
+                    spherical_function_words, progress);
+}
+
+}  // namespace linkwright
