@@ -31,7 +31,11 @@ constexpr std::array<Criterion, requirement_kind_count> all_criteria = {{
      .asked = &Requirements::min_transmission_angle,
      .name = "transmission angle over the task",
      .as_advice = "A transmission angle",
-     .of = &measures::min_transmission_angle},
+     .of = &measures::min_transmission_angle,
+     .range = {.high = pi / 2, .with_high = false},
+     .range_code = "transmission_angle_range",
+     .range_sentence =
+         "the transmission angle lies between 0 and 90 degrees, 90 itself is never kept; 30 to 50 is usual"},
     {.kind = RequirementKind::max_link_ratio,
      .key = "max_link_ratio",
      .rule = Rule::at_most,
@@ -40,7 +44,10 @@ constexpr std::array<Criterion, requirement_kind_count> all_criteria = {{
      .name = "link ratio",
      .as_advice = "A link ratio",
      .of = &measures::link_ratio,
-     .any = unlimited},
+     .any = unlimited,
+     .range = {.low = 1},
+     .range_code = "link_ratio_range",
+     .range_sentence = "the longest over the shortest link is at least 1"},
     {.kind = RequirementKind::max_length,
      .key = "max_length",
      .rule = Rule::at_most,
@@ -50,7 +57,10 @@ constexpr std::array<Criterion, requirement_kind_count> all_criteria = {{
      .as_advice = "A longest link",
      .of = &measures::longest_link,
      .any = unlimited,
-     .has_default = true},
+     .has_default = true,
+     .range = {.with_low = false},
+     .range_code = "max_length_range",
+     .range_sentence = "the longest link must be allowed a positive length"},
     {.kind = RequirementKind::min_length,
      .key = "min_length",
      .rule = Rule::at_least,
@@ -60,7 +70,10 @@ constexpr std::array<Criterion, requirement_kind_count> all_criteria = {{
      .as_advice = "A shortest link",
      .of = &measures::longest_link,
      .per = &measures::link_ratio,
-     .has_default = true},
+     .has_default = true,
+     .range = {.with_high = false},
+     .range_code = "min_length_range",
+     .range_sentence = "the shortest link must be a positive length; null lets any length pass"},
     {.kind = RequirementKind::ground_pivots_within,
      .key = "ground_pivots_within",
      .rule = Rule::ground_inside,
@@ -81,7 +94,11 @@ constexpr std::array<Criterion, requirement_kind_count> all_criteria = {{
      .name = "link angles",
      .as_advice = "Link angles",
      .of = &measures::min_link_angle,
-     .has_default = true},
+     .has_default = true,
+     .range = {.high = pi / 2, .with_high = false},
+     .range_code = "min_link_angle_range",
+     .range_sentence =
+         "the least link angle lies between 0 and 90 degrees, 90 itself is never kept; null lets any pass"},
     {.kind = RequirementKind::max_link_angle,
      .key = "max_link_angle_deg",
      .rule = Rule::at_most,
@@ -90,7 +107,11 @@ constexpr std::array<Criterion, requirement_kind_count> all_criteria = {{
      .name = "link angles",
      .as_advice = "Link angles",
      .of = &measures::max_link_angle,
-     .any = pi},
+     .any = pi,
+     .range = {.high = pi / 2, .with_low = false},
+     .range_code = "max_link_angle_range",
+     .range_sentence = "the largest link angle lies above 0 and is at most 90 degrees: a link and its supplement are "
+                       "the same; null lets any pass"},
     {.kind = RequirementKind::fixed_axes_within,
      .key = "fixed_axes_within",
      .rule = Rule::ground_inside,
@@ -110,7 +131,10 @@ constexpr std::array<Criterion, requirement_kind_count> all_criteria = {{
      .asked = &Requirements::min_stroke,
      .name = "usable length",
      .as_advice = "A usable length",
-     .of = &measures::usable_length},
+     .of = &measures::usable_length,
+     .range = {.with_high = false},
+     .range_code = "min_stroke_range",
+     .range_sentence = "the least stroke must be a positive length, or 0 for any"},
     {.kind = RequirementKind::max_deviation,
      .key = "max_deviation",
      .rule = Rule::at_most,
@@ -120,7 +144,12 @@ constexpr std::array<Criterion, requirement_kind_count> all_criteria = {{
      .as_advice = "A deviation",
      .of = &measures::deviation,
      .any = unlimited,
-     .lets_infinite_pass = false},  // a straight line that does not go as far as its stroke
+     .lets_infinite_pass = false,
+     .range = {.with_low = false},
+     .range_code = "max_deviation_range",
+     .range_sentence =
+         "the largest deviation must be a positive length; null lets any pass"},  // a straight line that does not go as
+                                                                                  // far as its stroke
     {.kind = RequirementKind::max_tolerance_error,
      .key = "max_tolerance_error",
      .rule = Rule::at_most,
@@ -129,7 +158,10 @@ constexpr std::array<Criterion, requirement_kind_count> all_criteria = {{
      .name = "error by tolerances",
      .of = &measures::tolerance_error,
      .any = unlimited,
-     .is_of_tolerances = true},
+     .is_of_tolerances = true,
+     .range = {.with_low = false},
+     .range_code = "max_tolerance_error_range",
+     .range_sentence = "the largest error by tolerances must be above 0; null lets any pass"},
     {.kind = RequirementKind::min_yield,
      .key = "min_yield",
      .rule = Rule::at_least,
@@ -137,7 +169,10 @@ constexpr std::array<Criterion, requirement_kind_count> all_criteria = {{
      .asked = &Requirements::min_yield,
      .name = "yield",
      .of = &measures::yield,
-     .is_of_tolerances = true},
+     .is_of_tolerances = true,
+     .range = {.high = 1},
+     .range_code = "min_yield_range",
+     .range_sentence = "a yield is a share between 0 and 1: 0.99 asks for 99 good linkages of 100; null lets any pass"},
 }};
 
 constexpr bool are_by_kind() {
@@ -158,12 +193,13 @@ std::vector<RequirementKind> kinds_of(FailureBits failures, RequirementKinds kin
 
 std::span<const Criterion, requirement_kind_count> criteria() { return all_criteria; }
 
-double Criterion::limit(const Requirements& wanted) const {
+std::optional<double> Criterion::given(const Requirements& wanted) const {
   if (const auto* number = std::get_if<double Requirements::*>(&asked)) return wanted.**number;
-  if (const auto* number = std::get_if<std::optional<double> Requirements::*>(&asked))
-    return (wanted.**number).value_or(any);
-  return any;
+  if (const auto* number = std::get_if<std::optional<double> Requirements::*>(&asked)) return wanted.**number;
+  return std::nullopt;
 }
+
+double Criterion::limit(const Requirements& wanted) const { return given(wanted).value_or(any); }
 
 std::optional<PivotWindow> Criterion::window(const Requirements& wanted) const {
   if (const auto* box = std::get_if<std::optional<Box> Requirements::*>(&asked)) return wanted.**box;

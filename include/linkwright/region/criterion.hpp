@@ -57,10 +57,21 @@ struct Criterion {
   bool has_default = false;      ///< what is not given is the default of the task
   bool lets_infinite_pass = true;
   bool is_of_tolerances = false;  ///< nothing is said of it where it is not asked
+  /// What may be asked for.
+  struct Range {
+    double low = 0, high = Requirements::unlimited;
+    bool with_low = true, with_high = true;
+    [[nodiscard]] bool contains(double x) const {
+      return (with_low ? x >= low : x > low) && (with_high ? x <= high : x < high);
+    }
+  } range = {};
+  std::string_view range_code = "", range_sentence = "";  ///< of the mistake where it is not in there
 
   [[nodiscard]] bool is_number() const { return rule == Rule::at_least || rule == Rule::at_most; }
   /// Radians, degrees in files; of a cone its half-angle.
   [[nodiscard]] bool is_angle() const { return unit == Unit::angle; }
+  /// Of a number; nothing where it is not given.
+  [[nodiscard]] std::optional<double> given(const Requirements& wanted) const;
   /// Of a number, `any` where it is not given.
   [[nodiscard]] double limit(const Requirements& wanted) const;
   [[nodiscard]] bool has_limit(const Requirements& wanted) const { return is_number() && limit(wanted) != any; }
