@@ -14,7 +14,7 @@
 namespace linkwright::bench::session_bench {
 namespace {
 
-using wasm::ExploreRequest, wasm::HaloRequest, wasm::Session;
+using wasm::PageSession;
 
 constexpr double some_input = 1.3125, some_output = 1.1125;
 
@@ -41,8 +41,8 @@ const Dragged tailgate_pose{"tailgate", "\"x\": ", -220, ", \"y\": 220"};
 const Dragged wing_orientation{"folding_wing", "[-40, 16, ", 62, "]"};
 const Dragged crane_line{"straight_luffing_crane", "\"line\": {\"point\": [9, ", 16, "]"};
 
-ExploreRequest whole_map(int samples) {
-  ExploreRequest request;
+MapRequest whole_map(int samples) {
+  MapRequest request;
   request.samples = samples;
   return request;
 }
@@ -50,7 +50,7 @@ ExploreRequest whole_map(int samples) {
 void session_drag(benchmark::State& state, const Dragged& dragged) {
   std::vector<std::string> texts;
   for (int step = 0; step < 100; ++step) texts.push_back(dragged.text(step));
-  Session session;
+  PageSession session;
   std::size_t step = 0;
   for (auto _ : state) {
     session.set_problem(texts[++step % texts.size()]);
@@ -80,7 +80,7 @@ BENCHMARK_CAPTURE(session_drag, line, crane_line)
 void session_open(benchmark::State& state, const char* name) {
   const std::string text = example(name);
   for (auto _ : state) {
-    Session session;
+    PageSession session;
     session.set_problem(text);
     benchmark::DoNotOptimize(session.explore(whole_map(400)));
   }
@@ -97,25 +97,25 @@ const bool opened = [] {
 
 template <class Question>
 void asked(benchmark::State& state, Question&& question) {
-  Session session;
+  PageSession session;
   session.set_problem(tailgate());
   benchmark::DoNotOptimize(session.explore(whole_map(400)));
   for (auto _ : state) benchmark::DoNotOptimize(question(session));
 }
 void session_hover(benchmark::State& state) {
-  asked(state, [](Session& session) { return session.linkage(some_input, some_output); });
+  asked(state, [](PageSession& session) { return session.linkage({some_input, some_output}); });
 }
 void session_live(benchmark::State& state) {
-  asked(state, [](Session& session) { return session.live(some_input, some_output); });
+  asked(state, [](PageSession& session) { return session.live({some_input, some_output}); });
 }
 void session_halo(benchmark::State& state) {
-  asked(state, [](Session& session) { return session.halo(HaloRequest{2, false, 120, 13, 60}); });
+  asked(state, [](PageSession& session) { return session.halo(HaloRequest{2, false, 120, 13, 60}); });
 }
 void session_best(benchmark::State& state) {
-  asked(state, [](Session& session) { return session.best(1); });
+  asked(state, [](PageSession& session) { return session.best(1); });
 }
 void session_improve(benchmark::State& state) {
-  asked(state, [](Session& session) { return session.improve(some_input, some_output); });
+  asked(state, [](PageSession& session) { return session.improve({some_input, some_output}); });
 }
 BENCHMARK(session_hover)->Name("session/hover")->Unit(benchmark::kMillisecond)->UseRealTime();
 BENCHMARK(session_live)->Name("session/live")->Unit(benchmark::kMillisecond)->UseRealTime();

@@ -29,6 +29,7 @@ RANKS = (
     ("planar", "spherical", "infinitesimal", "robust"),
     ("straight_line",),
     ("synthesis",),
+    ("solve",),
     ("files",),
     ("drawing",),
     ("machine",),

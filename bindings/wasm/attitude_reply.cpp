@@ -1,5 +1,3 @@
-#include "attitude_reply.hpp"
-
 #include <algorithm>
 #include <nlohmann/json.hpp>
 
@@ -10,6 +8,7 @@
 #include "linkwright/files/displacement_file.hpp"
 #include "linkwright/files/number_text.hpp"
 #include "linkwright/files/orientation_file.hpp"
+#include "replies.hpp"
 #include "reply_json.hpp"
 
 namespace linkwright::wasm {

@@ -1,7 +1,5 @@
 #include <emscripten/bind.h>
 
-#include "attitude_reply.hpp"
-#include "instant_reply.hpp"
 #include "reply_json.hpp"
 #include "session.hpp"
 
@@ -17,25 +15,25 @@ val view(const Values& values) {
   return val(typed_memory_view(values.size(), values.data()));
 }
 
-val curves_of(const DrawnCurves& drawn) {
+val curves_of(const LinkPolygon& links) {
   val curves = val::object();
-  curves.set("tau", view(drawn.tau));
-  curves.set("center", view(drawn.center));
-  curves.set("circle", view(drawn.circle));
-  curves.set("branch", view(drawn.branch));
+  curves.set("tau", view(links.coordinate));
+  curves.set("center", view(links.fixed));
+  curves.set("circle", view(links.moving));
+  curves.set("branch", view(links.branch));
   return curves;
 }
 
-val map_of(const ExploreReply& reply) {
+val map_of(const ColouredMap& shown, const std::string& census) {
   val map = val::object();
-  map.set("census", reply.census);
-  map.set("input_tau", view(reply.input_tau));
-  map.set("output_tau", view(reply.output_tau));
-  map.set("type", view(reply.map->map().types()));
-  map.set("defects", view(reply.map->map().defects()));
-  map.set("fails", view(reply.map->fails()));
-  map.set("value", view(reply.map->values()));
-  const auto& [input, output] = reply.map->ridges();
+  map.set("census", census);
+  map.set("input_tau", view(shown.region.input_coordinates()));
+  map.set("output_tau", view(shown.region.output_coordinates()));
+  map.set("type", view(shown.region.types()));
+  map.set("defects", view(shown.region.defects()));
+  map.set("fails", view(shown.fails));
+  map.set("value", view(shown.values));
+  const auto& [input, output] = shown.ridges;
   map.set("ridge_input", view(input.value));
   map.set("ridge_input_partner", view(input.partner));
   map.set("ridge_output", view(output.value));
@@ -44,10 +42,10 @@ val map_of(const ExploreReply& reply) {
 }
 
 /// Keeps what its views show until it is asked again.
-class BoundSession : public Session {
+class BoundSession : public PageSession {
  public:
   val linkage_reply(double input_tau, double output_tau) {
-    linkage_ = linkage(input_tau, output_tau);
+    linkage_ = linkage({input_tau, output_tau});
     val result = val::object();
     result.set("linkage", linkage_.linkage);
     result.set("states", view(linkage_.states));
@@ -55,28 +53,26 @@ class BoundSession : public Session {
     return result;
   }
   val live_reply(double input_tau, double output_tau) {
-    live_ = live(input_tau, output_tau);
+    live_ = live({input_tau, output_tau});
     val result = val::object();
     result.set("input", view(live_.input));
     result.set("output", view(live_.output));
     return result;
   }
   val tolerance_reply(double input_tau, double output_tau, int bins, int drawn) {
-    tolerance_ = tolerance(input_tau, output_tau, bins, drawn);
+    tolerance_ = tolerance({input_tau, output_tau}, bins, drawn);
     val result = val::object();
     result.set("report", tolerance_.report);
     result.set("drawn", view(tolerance_.drawn));
     return result;
   }
-  std::string sample_yields_text(int cells) { return sample_yields(cells); }
-  std::string front_text(const std::string& first, const std::string& second) { return front(first, second); }
   val halo_reply(int part, bool turn, double reach, int steps, int samples) {
     counts_ = halo({part, turn, reach, steps, samples});
     return view(counts_);
   }
   val trace_reply(double input_tau, double output_tau, double x, double y) {
-    path_ = trace(input_tau, output_tau, {x, y});
-    return view(path_);
+    path_ = trace({input_tau, output_tau}, {x, y});
+    return val(typed_memory_view(2 * path_.size(), reinterpret_cast<const double*>(path_.data())));
   }
   val explore_reply(int samples, double input_from, double input_to, double output_from, double output_to,
                     const std::string& property, int order) {
@@ -85,37 +81,39 @@ class BoundSession : public Session {
     result.set("task", reply.task);
     result.set("curves", curves_of(*reply.input_curves));
     result.set("output_curves", reply.output_curves ? curves_of(*reply.output_curves) : val::null());
-    result.set("map", reply.map ? map_of(reply) : val::null());
+    result.set("map", reply.map ? map_of(*reply.map, reply.census) : val::null());
     return result;
   }
-  bool set_problem_text(const std::string& text) { return set_problem(text); }
-  std::string read_text(const std::string& text) { return read(text); }
-  std::string exported_text(double input_tau, double output_tau, const std::string& format) {
-    return exported(input_tau, output_tau, format);
-  }
-  std::string machine_text(double input_tau, double output_tau, const WantedSizes& sizes) {
-    return machine(input_tau, output_tau, sizes);
-  }
   val machine_file_reply(double input_tau, double output_tau, const std::string& format, const WantedSizes& sizes) {
-    auto file = machine_file(input_tau, output_tau, format, sizes);
+    auto file = machine_file({input_tau, output_tau}, format, sizes);
     file_.assign(file ? std::move(*file) : "");
     val result = val::object();
     result.set("mistakes", mistakes_json(file ? std::vector<Error>{} : file.errors()));
     result.set("bytes", val(typed_memory_view(file_.size(), reinterpret_cast<const std::uint8_t*>(file_.data()))));
     return result;
   }
+  bool set_problem_text(const std::string& text) { return set_problem(text); }
+  std::string read_text(const std::string& text) { return read(text); }
   std::string mistakes_text() { return mistakes(); }
   std::string notices_text() { return notices(); }
+  std::string sample_yields_text(int cells) { return sample_yields(cells); }
+  std::string front_text(const std::string& first, const std::string& second) { return front(first, second); }
   std::string best_text(int most) { return best(most); }
-  std::string improve_text(double input_tau, double output_tau) { return improve(input_tau, output_tau); }
-  std::string verify_text(double input_tau, double output_tau) { return verify(input_tau, output_tau); }
+  std::string improve_text(double input_tau, double output_tau) { return improve({input_tau, output_tau}); }
+  std::string verify_text(double input_tau, double output_tau) { return verify({input_tau, output_tau}); }
+  std::string exported_text(double input_tau, double output_tau, const std::string& format) {
+    return exported({input_tau, output_tau}, format);
+  }
+  std::string machine_text(double input_tau, double output_tau, const WantedSizes& sizes) {
+    return machine({input_tau, output_tau}, sizes);
+  }
 
  private:
   LinkageReply linkage_;
-  LiveReply live_;
+  LiveLinks live_;
   ToleranceReply tolerance_;
   std::vector<std::uint32_t> counts_;
-  std::vector<double> path_;
+  std::vector<Point> path_;
   std::string file_;
 };
 

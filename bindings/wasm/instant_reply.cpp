@@ -1,9 +1,8 @@
-#include "instant_reply.hpp"
-
 #include "drawing/curve_path.hpp"
 #include "files/instant_writer.hpp"
 #include "linkwright/files/linkage_file.hpp"
 #include "linkwright/infinitesimal/stationary_curve.hpp"
+#include "replies.hpp"
 #include "reply_json.hpp"
 
 namespace linkwright::wasm {
@@ -34,7 +33,7 @@ std::string instant_reply(std::string_view text) {
   if (!linkage) return R"({"mistakes": )" + mistakes_json(linkage.errors()) + "}";
   const FourBar& bars = linkage->four_bar;
   const InstantAnalysis analysis = analyze_instant(bars, {});
-  return json_of([&](JsonWriter& json) {
+  return json_text_of([&](JsonWriter& json) {
     json.begin_object();
     json.key("instant");
     write_instant(json, analysis);

@@ -1,12 +1,13 @@
-#include "linkage_reply.hpp"
+#include <array>
 
-#include <algorithm>
-#include <cmath>
-
+#include "files/four_bar/four_bar_writer.hpp"
 #include "files/problem_writer.hpp"
-#include "function_reply.hpp"
+#include "files/spherical/spherical_writer.hpp"
 #include "linkwright/core/angle.hpp"
 #include "linkwright/planar/function_family.hpp"
+#include "linkwright/spherical/spherical_function_family.hpp"
+#include "linkwright/straight_line/line_travel.hpp"
+#include "replies.hpp"
 #include "reply_json.hpp"
 
 namespace linkwright::wasm {
@@ -14,219 +15,230 @@ namespace {
 
 using Layout = JsonWriter::Layout;
 
-void write_or_null(JsonWriter& json, std::string_view key, bool defined, double value) {
-  json.key(key);
-  defined ? json.value(value) : json.null();
-}
+// ---- the grounded links, where they make no linkage, too
+// -------------------------------------------------------------
 
-void write_dyad(JsonWriter& json, const Dyad& dyad, const WorkingFrame& frame) {
-  const auto center = frame.finite_user_point(dyad.center), circle = frame.finite_user_point(dyad.circle);
-  json.begin_object();
-  json.member("coordinate", dyad.coordinate);
-  json.key("center");
-  write_point(json, center);
-  json.key("circle");
-  write_point(json, circle);
-  json.key("center_homogeneous");
-  write_numbers(json, std::array{dyad.center.w, dyad.center.x, dyad.center.y});
-  json.key("circle_homogeneous");
-  write_numbers(json, std::array{dyad.circle.w, dyad.circle.x, dyad.circle.y});
-  write_or_null(json, "length", center && circle, center && circle ? std::abs(*circle - *center) : 0);
-  json.end_object();
-}
-
-Notice degenerate_notice(const PickedLinkage& picked, const WorkingFrame& frame) {
-  if (picked.nothing) return *picked.nothing;
-  const auto at_infinity = [&](Homogeneous point) { return is_at_infinity(frame.to_working(point)); };
-  if (picked.input.circle == Homogeneous{} || picked.output.circle == Homogeneous{})
-    return {"no_linkage", "There is no linkage here: no grounded link of this length can have this direction.", {}};
-  if (at_infinity(picked.input.center) || at_infinity(picked.output.center))
-    return {"slider_fixed", "Slider: the fixed pivot is at infinity; the pin moves on a straight guide.", {}};
-  if (at_infinity(picked.input.circle) || at_infinity(picked.output.circle))
-    return {
-        "slider_moving", "Slider: the moving pivot is at infinity; a guide in the body slides on the fixed pivot.", {}};
-  return {"zero_link", "A link has no length: this is no four-bar.", {}};
-}
-
-/// Positions as the task counts them, from 1: the relaxed pose is none of those that are served.
-int position_of(std::size_t pose, const PickedLinkage& picked) {
-  const bool behind = picked.relaxed_index && pose >= *picked.relaxed_index;
-  return static_cast<int>(pose) + (behind ? 2 : 1);
-}
-
-/// The values of a defect's notice, which counts the poses served.
-void renumber(Notice& notice, const PickedLinkage& picked) {
-  const auto position = [&](int served) { return position_of(static_cast<std::size_t>(served - 1), picked); };
-  for (NamedValue& value : notice.values)
-    if (auto* number = std::get_if<double>(&value.value))
-      *number = position(static_cast<int>(*number));
-    else
-      for (char& digit : std::get<std::string>(value.value))
-        if (digit != '-') digit = static_cast<char>('0' + position(digit - '0'));
-}
-
-void write_reason(JsonWriter& json, const PickedLinkage& picked, const WorkingFrame& frame) {
-  json.key("reason");
-  if (!picked.bars) return write_notice(json, degenerate_notice(picked, frame));
-  auto reason = defect_notice(picked.bars->report.defects, picked.visits);
-  if (!reason) return json.null();
-  renumber(*reason, picked);
-  write_notice(json, *reason);
-}
-
-void write_lengths(JsonWriter& json, const PickedLinkage& picked) {
-  json.key("lengths");
-  if (!picked.bars) {
-    json.null();
-  } else {
-    write_lengths(json, picked.bars->lengths);
+void write_links(JsonWriter& json, const FourBarAnswer& known, MapPoint place) {
+  const WorkingFrame& frame = known.given.frame();
+  const DyadPair none{{{}, {}, place.input}, {{}, {}, place.output}};
+  const DyadPair links = known.family()->dyad_pair(place).value_or(none);
+  for (const auto& [key, link] : {std::pair("input", links.input), std::pair("output", links.output)}) {
+    json.key(key);
+    json.begin_object();
+    write_dyad_members(json, frame.to_user(link), 0, frame);
+    json.end_object();
   }
-  const LinkLengths lengths = picked.bars ? picked.bars->lengths : LinkLengths{1, 1, 1, 1};
-  write_or_null(json, "link_ratio", picked.bars.has_value(), lengths.longest() / lengths.shortest());
-  write_or_null(json, "longest", picked.bars.has_value(), lengths.longest());
+}
+void write_links(JsonWriter& json, const SphericalAnswer& known, MapPoint place) {
+  const SphericalDyadPair none{no_spherical_dyad(place.input), no_spherical_dyad(place.output)};
+  const SphericalDyadPair links = known.family()->dyad_pair(place).value_or(none);
+  json.key("input");
+  write_spherical_dyad(json, links.input, 0);
+  json.key("output");
+  write_spherical_dyad(json, links.output, 0);
+}
+void write_links(JsonWriter& /*json*/, const Findings& /*known*/, MapPoint /*place*/) {}
+
+// ---- what only the page shows of a linkage
+// ---------------------------------------------------------------------------
+
+template <class KindAnswer>
+void write_generated(JsonWriter& json, const KindAnswer& answer, MapPoint place) {
+  const auto& found = answer.linkages.front();
+  if (!found.function) return;
+  json.key("pairs_deg");
+  json.begin_list(Layout::one_line);
+  for (const AnglePair& pair : answer.given.functions->task_at(place).pairs)
+    write_numbers(json, std::array{degrees(pair.input), degrees(pair.output)});
+  json.end_list();
+  json.member("reaches_pairs", found.function->reaches_pairs);
 }
 
-void write_verdict(JsonWriter& json, const PickedLinkage& picked) {
-  const DefectReport report = picked.bars ? picked.bars->report : DefectReport{};
-  const bool clean = picked.bars && report.defects.none();
-  write_or_null(json, "min_transmission_angle_deg", clean, degrees(report.min_transmission_angle));
-  write_or_null(json, "min_transmission_angle_full_turn_deg", picked.bars && input_is_crank(report.type),
-                degrees(report.min_transmission_angle_full_turn));
-  write_or_null(json, "driver_sweep_deg", clean, degrees(report.sweep));
-  json.key("drive_sense");
-  report.sense == DriveSense::none ? json.null() : json.value(name(report.sense));
+void write_more(JsonWriter& json, const MotionAnswer& answer, MapPoint /*place*/) {
+  if (const auto& error = answer.linkages.front().pose_error) json.member("miss_input_deg", degrees(error->turn));
+}
+void write_more(JsonWriter& json, const FunctionAnswer& answer, MapPoint place) {
+  write_generated(json, answer, place);
+}
+// The links besides, whose axes have the senses that the curves have.
+void write_more(JsonWriter& json, const SphericalAnswer& answer, MapPoint place) {
+  write_links(json, answer, place);
+  write_of_linkage(json, answer.linkages.front().angles);
+}
+void write_more(JsonWriter& json, const SphericalFunctionAnswer& answer, MapPoint place) {
+  write_more(json, static_cast<const SphericalAnswer&>(answer), place);
+  write_generated(json, answer, place);
+}
+void write_more(JsonWriter& json, const SixBarAnswer& answer, MapPoint /*place*/) {
+  write_of_linkage(json, answer.linkages.front().member.six_bar);
 }
 
-void write_swapped(JsonWriter& json, const PickedLinkage& picked) {
-  json.key("swapped");
-  if (!picked.bars) return json.null();
-  const DefectReport& report = picked.bars->swapped;
+void write_driver(JsonWriter& json, std::string_view key, const DefectReport& report) {
+  json.key(key);
   json.begin_object(Layout::one_line);
   json.member("type", name(report.type));
   json.key("defects");
   write_defects(json, report.defects);
-  write_or_null(json, "min_transmission_angle_deg", report.defects.none(), degrees(report.min_transmission_angle));
+  const bool clean = report.defects.none();
+  const auto write_angle = [&](const char* of, bool defined, double angle) {
+    json.key(of);
+    defined ? json.value(degrees(angle)) : json.null();
+  };
+  write_angle("min_transmission_angle_deg", clean, report.min_transmission_angle);
+  write_angle("min_transmission_angle_full_turn_deg", input_is_crank(report.type),
+              report.min_transmission_angle_full_turn);
+  write_angle("driver_sweep_deg", clean, report.sweep);
+  json.key("drive");
+  report.sense == DriveSense::none ? json.null() : json.value(name(report.sense));
   json.end_object();
 }
 
-/// Of the pose that was freed.
-void write_pose_error(JsonWriter& json, const PickedLinkage& picked) {
-  json.key("miss");
-  if (!picked.bars || !picked.bars->pose_error) return json.null();
-  json.begin_object(Layout::one_line);
-  json.member("distance", picked.bars->pose_error->distance);
-  json.member("angle_deg", degrees(picked.bars->pose_error->angle));
-  json.member("input_deg", degrees(picked.bars->pose_error->turn));
-  json.end_object();
+void write_profile(JsonWriter& json, const std::vector<ProfilePlace>& profile) {
+  json.key("profile");
+  json.begin_list(Layout::one_line);
+  for (const ProfilePlace& there : profile) {
+    json.begin_list(Layout::one_line);
+    json.value(there.s);
+    json.value(there.e);
+    there.velocity ? json.value(*there.velocity) : json.null();
+    json.value(degrees(there.turn));
+    json.end_list();
+  }
+  json.end_list();
 }
 
-void write_function(JsonWriter& json, const PickedLinkage& picked) {
-  json.key("function");
-  if (!picked.task) return json.null();
-  write_generated_function(json, *picked.task, *picked.bars->function);
+void write_more(JsonWriter& json, const StraightLineAnswer& answer, MapPoint /*place*/) {
+  const StraightLineSolution& found = answer.linkages.front();
+  DefectReport driven = report_of(*answer.lines, found.linkage, found.judged());
+  driven.defects = found.defects;
+  write_driver(json, "driven", driven);
+  write_driver(json, "swapped", report_of(*answer.lines, found.linkage.swapped(), found.judged()));
+  const bool by_strip = answer.options.line.measure == LineMeasure::strip;
+  json.member("strip_middle", by_strip ? found.over_usable.middle_deviation : 0.0);
+  write_profile(json, profile_of(*answer.lines, found));
+}
+
+// ---- its drive
+// -------------------------------------------------------------------------------------------------------
+
+bool is_six_bar(const Travel& travel) { return travel.linkage.bodies == SixBar::bodies; }
+
+std::size_t width_of(const Travel& travel) {
+  return travel.linkage.spherical ? spherical_state_width : is_six_bar(travel) ? six_bar_state_width : state_width;
+}
+
+void append(std::vector<double>& numbers, std::initializer_list<double> more) { numbers.insert(numbers.end(), more); }
+
+void append_state(std::vector<double>& row, const Travel& travel, const TravelState& state) {
+  const bool spherical = travel.linkage.spherical, six_bar = is_six_bar(travel);
+  const Vector3 a = spherical ? Vector3{} : state.hinges[six_bar ? std::size_t{SixBar::b} : 1],
+                b = spherical ? Vector3{} : state.hinges[six_bar ? std::size_t{SixBar::d} : 2];
+  append(row, {degrees(state.turn), a.x, a.y, b.x, b.y, state.body.origin.real(), state.body.origin.imag(),
+               degrees(state.body.angle), degrees(state.transmission_angle), degrees(state.coupler_turn),
+               degrees(state.output_turn), state.velocity_ratio, state.mechanical_advantage});
+  if (six_bar)
+    for (const Vector3 hinge : state.hinges) append(row, {hinge.x, hinge.y});
+  if (!spherical) return;
+  for (const Vector3 axis : {state.hinges[1], state.hinges[2]}) append(row, {axis.x, axis.y, axis.z});
+  const Vector3 v = state.attitude.v();
+  append(row, {state.attitude.w(), v.x, v.y, v.z});
 }
 
 void write_ticks(JsonWriter& json, const PickedLinkage& picked) {
-  const DriveTable& drive = picked.drive;
+  const std::vector<int>& states = picked.travel.state_of_position;
   json.key("ticks");
   json.begin_list();
-  for (std::size_t pose = 0; pose < drive.state_of_pose.size(); ++pose) {
+  for (std::size_t position = 0; position < states.size(); ++position) {
     json.begin_object(Layout::one_line);
-    json.member("position", position_of(pose, picked));
-    json.member("state", drive.state_of_pose[pose]);
-    json.member("reached", drive.state_of_pose[pose] >= 0);
+    json.member("position", picked.positions[position]);
+    json.member("state", states[position]);
+    json.member("reached", states[position] >= 0);
     json.end_object();
   }
   json.end_list();
 }
 
 void write_drive(JsonWriter& json, const PickedLinkage& picked) {
-  json.key("dead_points_deg");
-  const bool rocks = !picked.drive.states.empty() && !picked.drive.full_turn;
-  const std::array limits = {degrees(picked.visits.travel.from), degrees(picked.visits.travel.to)};
-  write_numbers(json, std::span(limits).first(rocks ? 2 : 0));
-  json.key("drive");
-  if (picked.drive.states.empty()) return json.null();
+  const Travel& travel = picked.travel;
+  const int first = travel.state_of_position.front(), last = travel.state_of_position.back();
+  const bool is_planar_four_bar = !travel.linkage.spherical && !is_six_bar(travel);
+  const bool passes = is_planar_four_bar ? first >= 0 && last >= 0 : travel.reaches_all_positions();
   json.begin_object();
+  json.member("width", static_cast<int>(width_of(travel)));
+  json.key("dead_points_deg");
+  json.begin_list(Layout::one_line);
+  for (const double turn : travel.dead_points) json.value(degrees(turn));
+  json.end_list();
   write_ticks(json, picked);
-  json.member("full_turn", picked.drive.full_turn);
+  json.member("full_turn", travel.full_turn);
   json.key("limits");
   json.begin_object(Layout::one_line);
-  for (const char* end : {"low", "high"}) {
+  for (const auto& [end, is_dead] : {std::pair("low", travel.starts_dead), std::pair("high", travel.ends_dead)}) {
     json.key(end);
-    rocks ? json.value("dead_point") : json.null();
+    is_dead ? json.value("dead_point") : json.null();
   }
   json.end_object();
-  const int first = picked.drive.state_of_pose.front(), last = picked.drive.state_of_pose.back();
-  const bool apart = first < 0 || last < 0;
   json.key("task");
   json.begin_list(Layout::one_line);
-  json.value(apart ? -1 : first);
-  json.value(apart ? -1 : last);
+  json.value(passes ? first : -1);
+  json.value(passes ? last : -1);
   json.end_list();
   json.end_object();
 }
 
 }  // namespace
 
-PickedLinkage picked_linkage(const TaskFamily& given, MapPoint place, bool respect_direction) {
-  const WorkingFrame& frame = given.frame();
-  const DyadPair none{{{}, {}, place.input}, {{}, {}, place.output}};
-  const DyadPair links = given.family->dyad_pair(place).value_or(none);
-  PickedLinkage picked;
-  picked.input = frame.to_user(links.input);
-  picked.output = frame.to_user(links.output);
-  if (given.relaxed) picked.relaxed_index = given.relaxed->index;
-  constexpr bool verify = false;
-  picked.bars = make_four_bar(given, place, respect_direction, verify);
-  if (!picked.bars) return picked;
-  const std::vector<PrescribedPose> poses = given.family->user_poses(place, picked.bars->four_bar);
-  picked.visits = pose_visits(picked.bars->four_bar, poses);
-  picked.drive = drive_table(picked.visits, poses, states_of_a_drive);
-  if (const auto& family = given.functions) {
-    picked.task = family->task_at(place);
-    picked.bars->function = family->error_of(picked.bars->four_bar, place);
+void write_of_linkage(JsonWriter& json, const SixBar& six_bar) {
+  json.key("bodies");
+  json.begin_list();
+  for (int body = 0; body < SixBar::bodies; ++body) {
+    json.begin_list(Layout::one_line);
+    for (const std::size_t joint : six_bar.joints_of(body)) json.value(static_cast<int>(joint));
+    json.end_list();
   }
-  return picked;
+  json.end_list();
 }
 
-std::string linkage_json(const PickedLinkage& picked, const WorkingFrame& frame,
-                         const std::function<void(JsonWriter&)>& write_more) {
-  return json_of([&](JsonWriter& json) {
+void write_of_linkage(JsonWriter& json, const LinkAngles& angles) {
+  json.member("min_link_angle_deg", degrees(angles.shortest()));
+}
+
+LinkageReply linkage_reply(const PickedLinkage& picked, std::string_view record,
+                           const std::function<void(JsonWriter&)>& write_more_of_it) {
+  LinkageReply reply;
+  reply.linkage = json_text_of([&](JsonWriter& json) {
     json.begin_object();
     json.key("tau");
-    write_numbers(json, std::array{picked.input.coordinate, picked.output.coordinate});
-    json.member("type", name(picked.bars ? picked.bars->report.type : LinkageType::degenerate));
-    json.key("defects");
-    write_defects(json, picked.bars ? picked.bars->report.defects : Defects{});
-    write_reason(json, picked, frame);
-    json.key("input");
-    write_dyad(json, picked.input, frame);
-    json.key("output");
-    write_dyad(json, picked.output, frame);
-    write_lengths(json, picked);
-    write_verdict(json, picked);
-    json.member("residual", picked.bars ? std::max(picked.bars->input_residual * picked.bars->lengths.input,
-                                                   picked.bars->output_residual * picked.bars->lengths.output)
-                                        : 0.0);
-    write_swapped(json, picked);
-    write_pose_error(json, picked);
-    write_function(json, picked);
+    write_numbers(json, std::array{picked.place.input, picked.place.output});
     json.member("fails", int{picked.fails});
-    if (write_more) write_more(json);
-    write_drive(json, picked);
+    json.key("reason");
+    picked.reason ? write_notice(json, *picked.reason) : json.null();
+    json.key("record");
+    record.empty() ? json.null() : json.json(record);
+    write_more_of_it(json);
+    json.key("travel");
+    picked.travel.states.empty() ? json.null() : write_drive(json, picked);
     json.end_object();
   });
+  reply.states.reserve(picked.travel.states.size() * width_of(picked.travel));
+  for (const TravelState& state : picked.travel.states) append_state(reply.states, picked.travel, state);
+  return reply;
 }
 
-void append_states(const PickedLinkage& picked, std::vector<double>& states) {
-  for (const DriveState& state : picked.drive.states)
-    states.insert(
-        states.end(),
-        {degrees(state.turn), state.four_bar.input_circle.real(), state.four_bar.input_circle.imag(),
-         state.four_bar.output_circle.real(), state.four_bar.output_circle.imag(), state.body.origin.real(),
-         state.body.origin.imag(), degrees(state.body.angle), degrees(state.transmission_angle),
-         degrees(state.coupler_turn), degrees(state.output_turn), state.velocity_ratio, state.mechanical_advantage});
+LinkageReply linkage_reply(Session& session, MapPoint place) {
+  if (!session.family()) return {};
+  const PickedLinkage picked = session.linkage(place);
+  std::string record;
+  if (picked.answer)
+    record = std::visit([](const auto& stored) { return stored.record; },
+                        stored_linkages(session.problem(), *picked.answer).front());
+  LinkageReply reply = linkage_reply(picked, record, [&](JsonWriter& json) {
+    if (picked.answer) return std::visit([&](const auto& answer) { write_more(json, answer, place); }, *picked.answer);
+    std::visit([&](const auto& known) { write_links(json, known, place); }, session.known());
+  });
+  if (const auto output = session.output_at(place))
+    reply.tolerance = tolerance_at_a_glance(*output, *findings(session.known()).options.tolerances);
+  return reply;
 }
 
 }  // namespace linkwright::wasm

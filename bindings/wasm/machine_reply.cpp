@@ -1,8 +1,7 @@
-#include "machine_reply.hpp"
-
 #include <algorithm>
 
 #include "linkwright/core/angle.hpp"
+#include "replies.hpp"
 #include "reply_json.hpp"
 
 namespace linkwright::wasm {
@@ -73,7 +72,7 @@ void write_crossing(JsonWriter& json, const MovingLinkage& linkage, const Crossi
 
 std::string machine_reply(const Result<Machine>& made) {
   if (!made) return R"({"mistakes": )" + mistakes_json(made.errors()) + "}";
-  return json_of([&](JsonWriter& json) {
+  return json_text_of([&](JsonWriter& json) {
     json.begin_object();
     write_sizes(json, made->sizes);
     write_layers(json, *made);

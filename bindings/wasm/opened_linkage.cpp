@@ -1,86 +1,46 @@
-#include "opened_linkage.hpp"
-
-#include <algorithm>
+#include <array>
 #include <cmath>
 #include <nlohmann/json.hpp>
+#include <span>
 
-#include "linkage_reply.hpp"
-#include "linkwright/analysis/body_rates.hpp"
-#include "linkwright/analysis/six_bar_motion.hpp"
-#include "linkwright/core/angle.hpp"
+#include "files/four_bar/four_bar_writer.hpp"
+#include "files/six_bar/six_bar_writer.hpp"
+#include "files/spherical/spherical_writer.hpp"
 #include "linkwright/files/csv_table.hpp"
 #include "linkwright/spherical/spherical_analysis.hpp"
 #include "linkwright/spherical/spherical_defects.hpp"
+#include "linkwright/spherical/spherical_travel.hpp"
+#include "replies.hpp"
 #include "reply_json.hpp"
-#include "six_bar_reply.hpp"
-#include "spherical_reply.hpp"
+#include "solve/kinds.hpp"
 
 namespace linkwright::wasm {
 namespace {
 
-// ---- how its bodies move ------------------------------------------------------------------------------------------
-
-/// A linkage whose bodies are told about, with what a state of its drive says of it.
-struct RatedLinkage {
-  HingedBodies hinged;
-  std::vector<const char*> names;  ///< of the moving bodies
-  int guided = 2;
-};
-/// Where the hinges are in a state, and the body's point; of spherical ones none.
-struct RatedState {
-  std::vector<Vector3> hinges;
-  std::optional<Vector3> point;
-};
-
-RatedLinkage rated_four_bar(bool spherical) {
-  return {{4, {{0, 1}, {1, 2}, {3, 2}, {0, 3}}, spherical}, {"input", "coupler", "output"}, 2};
-}
-
-/// Which way the driver goes from this state to the next: 1 counter-clockwise.
-double sense_between(const RatedLinkage& linkage, const RatedState& now, const RatedState& next) {
-  const Vector3 fixed = now.hinges[0];
-  if (linkage.hinged.spherical) return dot(fixed, cross(now.hinges[1], next.hinges[1])) < 0 ? -1 : 1;
-  return cross(now.hinges[1] - fixed, next.hinges[1] - fixed).z < 0 ? -1 : 1;
-}
-
-/// Of a body with a hinge on the ground, signed as it turns about that; of one without the magnitude about a centre.
-double turning(const RatedLinkage& linkage, int body, Vector3 about, const RatedState& state) {
-  if (!linkage.hinged.spherical) return about.z;
-  for (std::size_t hinge = 0; hinge < linkage.hinged.hinges.size(); ++hinge)
-    if (linkage.hinged.hinges[hinge][0] == 0 && linkage.hinged.hinges[hinge][1] == body)
-      return dot(about, state.hinges[hinge]);
-  return norm(about);
-}
-
-void write_rates_at(JsonWriter& json, const RatedLinkage& linkage, const RatedState& state, double sense) {
-  const auto rates = body_rates(linkage.hinged, state.hinges);
-  if (!rates) return json.null();
-  json.begin_list(JsonWriter::Layout::one_line);
-  for (std::size_t body = 1; body < rates->size(); ++body) {
-    json.value(sense * turning(linkage, static_cast<int>(body), (*rates)[body].turning, state));
-    json.value(turning(linkage, static_cast<int>(body), (*rates)[body].turning_up, state));
-  }
-  if (state.point) {
-    const HingedBodyRates& guided = (*rates)[static_cast<std::size_t>(linkage.guided)];
-    const Vector3 velocity = sense * guided.velocity(*state.point), acceleration = guided.acceleration(*state.point);
-    for (const double value : {velocity.x, velocity.y, acceleration.x, acceleration.y}) json.value(value);
-  }
-  json.end_list();
-}
-
-void write_rates(JsonWriter& json, const RatedLinkage& linkage, const std::vector<RatedState>& states) {
-  const double sense = states.size() > 1 ? sense_between(linkage, states[0], states[1]) : 1;
+void write_rates(JsonWriter& json, std::span<const char* const> bodies, const Travel& travel, int guided) {
   json.key("rates");
   json.begin_object();
   json.key("bodies");
   json.begin_list(JsonWriter::Layout::one_line);
-  for (const char* name : linkage.names) json.value(name);
+  for (const char* body : bodies) json.value(body);
   json.end_list();
   json.key("rows");
   json.begin_list();
-  for (const RatedState& state : states) write_rates_at(json, linkage, state, sense);
+  for (const auto& row : rates_of(travel, guided)) row ? write_numbers(json, *row) : json.null();
   json.end_list();
   json.end_object();
+}
+
+constexpr std::array bodies_of_four_bars = {"input", "coupler", "output"};
+constexpr std::array bodies_of_six_bars = {"body_1", "body_2", "body_3", "body_4", "body_5"};
+constexpr int coupler = 2;
+
+/// A linkage at no place of a map; its positions are counted from 1.
+PickedLinkage picked(Travel travel, std::optional<Notice> reason) {
+  PickedLinkage picked{{}, 0, {}, std::move(reason), std::move(travel), {}};
+  for (std::size_t i = 0; i < picked.travel.state_of_position.size(); ++i)
+    picked.positions.push_back(static_cast<int>(i) + 1);
+  return picked;
 }
 
 // ---- four-bars ----------------------------------------------------------------------------------------------------
@@ -102,67 +62,38 @@ void count_whole_travel(DefectReport& report, double from, double to, double min
   report.sense = DriveSense::none;
 }
 
-PickedLinkage picked(const StoredLinkage& linkage) {
-  const FourBar& bars = linkage.four_bar;
-  const FourBar swapped{bars.output_center, bars.output_circle, bars.input_center, bars.input_circle};
-  const std::vector<PrescribedPose> poses = poses_of(linkage);
-  PickedLinkage picked;
-  picked.input = dyad_of(bars.input_center, bars.input_circle);
-  picked.output = dyad_of(bars.output_center, bars.output_circle);
-  picked.bars.emplace();
-  picked.bars->four_bar = bars;
-  picked.bars->lengths = bars.lengths();
-  picked.bars->report = find_defects(bars, poses);
-  picked.bars->swapped = find_defects(swapped, poses);
-  picked.visits = pose_visits(bars, poses);
-  picked.drive = drive_table(picked.visits, poses, states_of_a_drive);
-  if (poses.size() > 1) return picked;
-  const AngleRange& travel = picked.visits.travel;
-  for (DefectReport* report : {&picked.bars->report, &picked.bars->swapped})
-    count_whole_travel(*report, travel.from, travel.to, report->min_transmission_angle_full_turn);
-  return picked;
-}
-
 LinkageReply reply_of(const StoredLinkage& linkage) {
-  const PickedLinkage shown = picked(linkage);
-  std::vector<RatedState> states;
-  for (const DriveState& state : shown.drive.states)
-    states.push_back({{in_space(state.four_bar.input_center), in_space(state.four_bar.input_circle),
-                       in_space(state.four_bar.output_circle), in_space(state.four_bar.output_center)},
-                      in_space(state.body.origin)});
-  LinkageReply reply;
-  reply.linkage = linkage_json(shown, {}, [&](JsonWriter& json) { write_rates(json, rated_four_bar(false), states); });
-  append_states(shown, reply.states);
-  return reply;
+  const FourBar& bars = linkage.four_bar;
+  const std::vector<PrescribedPose> poses = poses_of(linkage);
+  const PoseVisits visits = pose_visits(bars, poses);
+  FourBarSolution shown;
+  shown.input = dyad_of(bars.input_center, bars.input_circle);
+  shown.output = dyad_of(bars.output_center, bars.output_circle);
+  shown.four_bar = bars;
+  shown.lengths = bars.lengths();
+  shown.report = find_defects(bars, poses);
+  shown.swapped = find_defects(bars.swapped(), poses);
+  if (poses.size() == 1)
+    for (DefectReport* report : {&shown.report, &shown.swapped})
+      count_whole_travel(*report, visits.travel.from, visits.travel.to, report->min_transmission_angle_full_turn);
+  const PickedLinkage there = picked(travel_of(visits, poses), defect_notice(shown.report.defects, visits));
+  const std::string record = json_text_of([&](JsonWriter& json) { write_four_bar(json, shown, {}, {}); });
+  return linkage_reply(there, record,
+                       [&](JsonWriter& json) { write_rates(json, bodies_of_four_bars, there.travel, coupler); });
 }
 
 // ---- six-bars -----------------------------------------------------------------------------------------------------
 
 constexpr double six_bar_step = pi / 180;
 
-SixBarDriveTable driven(const SixBarMotion& motion, std::size_t poses) {
-  SixBarDriveTable drive;
-  drive.row_of_pose.assign(poses, -1);
-  for (const SixBarMotionState& state : motion.states) {
-    if (state.place.pose >= 0)
-      drive.row_of_pose[static_cast<std::size_t>(state.place.pose)] = static_cast<int>(drive.states.size());
-    drive.states.push_back(state.place);
-  }
-  drive.full_turn = motion.full_turn;
-  drive.dead_at_start = drive.dead_at_end = !motion.full_turn;
-  return drive;
-}
-
 /// Over the poses where there are several, else over all that it can do.
 SixBarDriveReport report_of(const SixBar& six_bar, const std::vector<PrescribedPose>& poses, const SixBarMotion& motion,
-                            const SixBarDriveTable& drive) {
+                            const Travel& travel) {
   const SixBarMotion over = poses.size() > 1 ? travel_through(six_bar, poses, six_bar_step) : motion;
   SixBarDriveReport report;
   report.completed = true;
   if (over.states.empty()) {
-    const bool meets_all =
-        std::none_of(drive.row_of_pose.begin(), drive.row_of_pose.end(), [](int r) { return r < 0; });
-    report.defects.bits = meets_all ? Defects::order_bit : Defects::branch_bit;
+    report.defects.bits = travel.reaches_all_positions() ? Defects::order_bit : Defects::branch_bit;
     return report;
   }
   const double turn = over.states.back().place.turn - over.states.front().place.turn;
@@ -175,21 +106,18 @@ SixBarDriveReport report_of(const SixBar& six_bar, const std::vector<PrescribedP
 LinkageReply reply_of(const StoredSixBar& linkage) {
   const std::vector<PrescribedPose> poses = framed_poses(linkage);
   const SixBarMotion motion = six_bar_motion(linkage.six_bar, poses, six_bar_step);
-  const SixBarDriveTable drive = driven(motion, poses.size());
+  Travel travel = travel_of(linkage.six_bar, poses, motion);
   SixBarSolution shown;
   shown.row = linkage.row;
   shown.member.six_bar = linkage.six_bar;
   shown.lengths = linkage.six_bar.lengths();
-  shown.rating = {shape_of(linkage.six_bar), report_of(linkage.six_bar, poses, motion, drive)};
-  RatedLinkage rated{{SixBar::bodies, {}, false}, {"body_1", "body_2", "body_3", "body_4", "body_5"}, SixBar::guided};
-  for (const SixBarJoint& joint : linkage.six_bar.joints) rated.hinged.hinges.push_back(joint.bodies);
-  std::vector<RatedState> states;
-  for (const SixBarState& state : drive.states) {
-    RatedState& at = states.emplace_back();
-    for (const Point joint : state.joints) at.hinges.push_back(in_space(joint));
-    at.point = in_space(state.body.origin);
-  }
-  return six_bar_reply(drive, shown, {}, 0, [&](JsonWriter& json) { write_rates(json, rated, states); });
+  shown.rating = {shape_of(linkage.six_bar), report_of(linkage.six_bar, poses, motion, travel)};
+  const PickedLinkage there = picked(std::move(travel), six_bar_defect(shown.rating.drive));
+  const std::string record = json_text_of([&](JsonWriter& json) { write_six_bar(json, shown); });
+  return linkage_reply(there, record, [&](JsonWriter& json) {
+    write_of_linkage(json, linkage.six_bar);
+    write_rates(json, bodies_of_six_bars, there.travel, SixBar::guided);
+  });
 }
 
 // ---- about a centre -----------------------------------------------------------------------------------------------
@@ -199,7 +127,6 @@ LinkageReply reply_of(const StoredSphericalFourBar& linkage) {
   const std::vector<PrescribedOrientation> orientations =
       linkage.orientations.empty() ? std::vector<PrescribedOrientation>(1) : linkage.orientations;
   const SphericalAnalysis analysis = analyze(bars, orientations);
-  const SphericalTravel travel = spherical_travel(analysis, orientations.size());
   SphericalSolution shown;
   shown.input = {bars.input_fixed, bars.input_moving, 0};
   shown.output = {bars.output_fixed, bars.output_moving, 0};
@@ -211,17 +138,24 @@ LinkageReply reply_of(const StoredSphericalFourBar& linkage) {
     for (DefectReport* report : {&shown.report, &shown.swapped})
       count_whole_travel(*report, analysis.input_range.from, analysis.input_range.to,
                          report->min_transmission_angle_full_turn);
-  std::vector<RatedState> states;
-  for (const SphericalPassage& passage : travel.passages) {
-    const SphericalFourBar& now = passage.state.four_bar;
-    states.push_back({{now.input_fixed, now.input_moving, now.output_moving, now.output_fixed}, std::nullopt});
-  }
-  return spherical_reply(shown, analysis, travel, [&](JsonWriter& json) {
-    json.key("function");
-    json.null();
-    write_rates(json, rated_four_bar(true), states);
+  const PickedLinkage there = picked(travel_of(analysis, orientations.size()), spherical_defect(shown.report));
+  const std::string record = json_text_of([&](JsonWriter& json) { write_spherical_four_bar(json, shown, {}); });
+  return linkage_reply(there, record, [&](JsonWriter& json) {
+    write_of_linkage(json, shown.angles);
+    write_rates(json, bodies_of_four_bars, there.travel, coupler);
   });
 }
+
+Travel travel_of_stored(const StoredLinkage& linkage) {
+  const std::vector<PrescribedPose> poses = poses_of(linkage);
+  return travel_of(pose_visits(linkage.four_bar, poses), poses);
+}
+Travel travel_of_stored(const StoredSixBar& linkage) {
+  const std::vector<PrescribedPose> poses = framed_poses(linkage);
+  return travel_of(linkage.six_bar, poses, six_bar_motion(linkage.six_bar, poses, six_bar_step));
+}
+// Points of the sphere are no points of the plane.
+Travel travel_of_stored(const StoredSphericalFourBar& /*linkage*/) { return {}; }
 
 }  // namespace
 
@@ -246,21 +180,8 @@ LinkageReply opened_reply(const AnyStoredLinkage& linkage) {
   return std::visit([](const auto& of_kind) { return reply_of(of_kind); }, linkage);
 }
 
-std::vector<double> opened_trace(const AnyStoredLinkage& linkage, Point traced) {
-  std::vector<double> path;
-  const auto follow = [&](const std::vector<PrescribedPose>& poses, const Pose& body) {
-    const Point now = displaced(traced, poses.front().pose, body);
-    path.insert(path.end(), {now.real(), now.imag()});
-  };
-  if (const auto* bars = std::get_if<StoredLinkage>(&linkage)) {
-    const auto poses = poses_of(*bars);
-    for (const DriveState& state : picked(*bars).drive.states) follow(poses, state.body);
-  } else if (const auto* six_bar = std::get_if<StoredSixBar>(&linkage)) {
-    const auto poses = framed_poses(*six_bar);
-    for (const SixBarMotionState& state : six_bar_motion(six_bar->six_bar, poses, six_bar_step).states)
-      follow(poses, state.place.body);
-  }
-  return path;
+std::vector<Point> opened_trace(const AnyStoredLinkage& linkage, Point traced) {
+  return path_of(std::visit([](const auto& of_kind) { return travel_of_stored(of_kind); }, linkage), traced);
 }
 
 }  // namespace linkwright::wasm

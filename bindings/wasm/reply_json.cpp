@@ -20,15 +20,6 @@ void write_values(JsonWriter& json, const Values& values) {
 
 }  // namespace
 
-std::string json_of(const std::function<void(JsonWriter&)>& write) {
-  std::string text;
-  {
-    JsonWriter json([&text](std::string_view piece) { text += piece; });
-    write(json);
-  }
-  return text;
-}
-
 void write_notice(JsonWriter& json, const Notice& notice) {
   json.begin_object(Layout::one_line);
   json.member("code", std::string_view(notice.code));
@@ -38,7 +29,7 @@ void write_notice(JsonWriter& json, const Notice& notice) {
 }
 
 std::string mistakes_json(const std::vector<Error>& mistakes) {
-  return json_of([&](JsonWriter& json) {
+  return json_text_of([&](JsonWriter& json) {
     json.begin_list();
     for (const Error& mistake : mistakes) {
       json.begin_object(Layout::one_line);

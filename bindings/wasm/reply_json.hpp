@@ -13,9 +13,6 @@
 // The pieces that the replies to the page are written with (web/src/engine/protocol.ts).
 namespace linkwright::wasm {
 
-/// What `write` writes, as text.
-[[nodiscard]] std::string json_of(const std::function<void(JsonWriter&)>& write);
-
 /// {"code", "values", "message"}.
 void write_notice(JsonWriter& json, const Notice& notice);
 /// [{"code", "place", "values", "message"}, …].
@@ -23,6 +20,13 @@ void write_notice(JsonWriter& json, const Notice& notice);
 /// [x, y], null for none.
 void write_point(JsonWriter& json, const std::optional<Point>& point);
 void write_numbers(JsonWriter& json, std::span<const double> numbers);
+/// [[…], …], on one line.
+template <class Rows>
+void write_rows(JsonWriter& json, const Rows& rows) {
+  json.begin_list(JsonWriter::Layout::one_line);
+  for (const auto& row : rows) write_numbers(json, row);
+  json.end_list();
+}
 /// [[x, y], …].
 template <class Points, class PointOf = std::identity>
 void write_points(JsonWriter& json, const Points& points, PointOf point_of = {}) {

@@ -1,9 +1,9 @@
-#include "task_reply.hpp"
-
-#include <cmath>
+#include <array>
 
 #include "files/problem_writer.hpp"
 #include "files/result_writer.hpp"
+#include "linkwright/core/angle.hpp"
+#include "replies.hpp"
 #include "reply_json.hpp"
 
 namespace linkwright::wasm {
@@ -11,19 +11,10 @@ namespace {
 
 using Layout = JsonWriter::Layout;
 
-constexpr int ticks_of_a_branch = 12;
+constexpr int steps_of_a_curve = 90;
 
-void append(std::vector<double>& numbers, Homogeneous point) {
-  const Homogeneous unit = normalized(point);
-  numbers.insert(numbers.end(), {unit.w, unit.x, unit.y});
-}
-
-std::uint8_t branch_of(const std::vector<CurveBranch>& branches, double tau) {
-  std::uint8_t at = 0;
-  for (std::size_t b = 0; b < branches.size(); ++b)
-    if (tau >= branches[b].from && branches[b].from < branches[b].to) at = static_cast<std::uint8_t>(b);
-  return at;
-}
+// ---- axes and marks
+// --------------------------------------------------------------------------------------------------
 
 void write_block(JsonWriter& json, const OrderBlock& block) {
   json.begin_object(Layout::one_line);
@@ -31,9 +22,7 @@ void write_block(JsonWriter& json, const OrderBlock& block) {
   json.member("from", block.from);
   json.member("to", block.to);
   json.key("knots");
-  json.begin_list();
-  for (const auto& knot : block.knots) write_numbers(json, knot);
-  json.end_list();
+  write_rows(json, block.knots);
   json.end_object();
 }
 
@@ -44,13 +33,7 @@ void write_axis(JsonWriter& json, const ShownAxis& axis) {
   json.key("branches");
   write_branches(json, axis.axis.branches);
   json.key("ticks");
-  if (axis.ticks.empty()) {
-    json.null();
-  } else {
-    json.begin_list(Layout::one_line);
-    for (const auto& tick : axis.ticks) write_numbers(json, tick);
-    json.end_list();
-  }
+  axis.ticks.empty() ? json.null() : write_rows(json, axis.ticks);
   json.key("blocks");
   json.begin_list();
   for (const OrderBlock& block : axis.order.blocks()) write_block(json, block);
@@ -74,6 +57,9 @@ void write_mark(JsonWriter& json, const CurveMark& mark) {
   json.end_object();
 }
 
+// ---- curves
+// ----------------------------------------------------------------------------------------------------------
+
 void write_asymptote(JsonWriter& json, const CircularCubic& curve, const WorkingFrame& frame) {
   const auto asymptote = curve.asymptote();
   if (!asymptote) return json.null();
@@ -83,59 +69,7 @@ void write_asymptote(JsonWriter& json, const CircularCubic& curve, const Working
   json.end_list();
 }
 
-void write_asymptotes(JsonWriter& json, const TaskFamily& given) {
-  const std::array parts = {std::pair{"center", given.curve ? &given.curve->center_curve() : nullptr},
-                            std::pair{"circle", given.curve ? &given.curve->circle_curve() : nullptr}};
-  json.begin_object();
-  for (const auto& [key, curve] : parts) {
-    json.key(key);
-    curve ? write_asymptote(json, *curve, given.frame()) : json.null();
-  }
-  json.end_object();
-}
-
-}  // namespace
-
-DrawnCurves drawn_dyads(std::span<const Dyad> polygon, const std::vector<CurveBranch>& branches,
-                        const WorkingFrame& frame) {
-  DrawnCurves drawn;
-  for (const Dyad& dyad : polygon) {
-    const Dyad user = frame.to_user(dyad);
-    drawn.tau.push_back(dyad.coordinate);
-    append(drawn.center, user.center);
-    append(drawn.circle, user.circle);
-    drawn.branch.push_back(branch_of(branches, dyad.coordinate));
-  }
-  return drawn;
-}
-
-DrawnCurves drawn_curves(const std::vector<PrescribedPose>& poses, const TaskFamily& given, Side side) {
-  const std::vector<Dyad> polygon = given.family  ? given.family->polygon(side)
-                                    : given.curve ? CurveFamily(given.frame(), poses, given.curve).polygon(side)
-                                                  : std::vector<Dyad>{};
-  // Where nothing is left to choose of the output, it moves with the input.
-  const bool along_input = given.family && given.family->axis(side).quantity == AxisQuantity::nothing;
-  const auto branches = given.family  ? given.family->axis(along_input ? Side::input : side).branches
-                        : given.curve ? given.curve->branches()
-                                      : std::vector<CurveBranch>{};
-  DrawnCurves drawn = drawn_dyads(polygon, branches, given.frame());
-  if (given.curve && !poses.empty()) drawn.marks = curve_marks(poses, *given.curve, given.frame(), polygon);
-  return drawn;
-}
-
-std::vector<std::array<double, 2>> axis_ticks(const LinkageFamily& family, Side side) {
-  std::vector<std::array<double, 2>> ticks;
-  const MapAxis& axis = family.axis(side);
-  if (axis.quantity == AxisQuantity::curve_coordinate || axis.is_discrete()) return ticks;
-  for (const CurveBranch& branch : axis.branches)
-    for (int i = 0; i < ticks_of_a_branch; ++i) {
-      const double tau = branch.from + (branch.to - branch.from) * i / ticks_of_a_branch;
-      const double value = family.axis_value(side, tau);
-      if (std::isfinite(value)) ticks.push_back({tau, value});
-    }
-  return ticks;
-}
-
+/// Of Burmester curves, or of what the dyads lie along instead.
 void write_curves(JsonWriter& json, const TaskFamily& given) {
   const BurmesterCurve* curve = given.curve.get();
   const std::string_view along =
@@ -147,45 +81,154 @@ void write_curves(JsonWriter& json, const TaskFamily& given) {
   const auto kappa = curve ? curve->kappa() : std::nullopt;
   kappa ? json.value(*kappa) : json.null();
   json.key("asymptotes");
-  write_asymptotes(json, given);
+  json.begin_object();
+  json.key("center");
+  curve ? write_asymptote(json, curve->center_curve(), given.frame()) : json.null();
+  json.key("circle");
+  curve ? write_asymptote(json, curve->circle_curve(), given.frame()) : json.null();
+  json.end_object();
+  json.end_object();
+}
+void write_curves_of(JsonWriter& json, const FourBarAnswer& known) { write_curves(json, known.given); }
+void write_curves_of(JsonWriter& json, const SphericalAnswer& known) {
+  const SphericalTaskFamily& given = known.given;
+  const CubicConeKind kind = given.curve ? given.curve->kind() : CubicConeKind::every_axis;
+  json.begin_object();
+  json.member("kind", given.curve || !given.family ? name(kind) : name(AxisQuantity::burmester_point));
+  for (const char* key : {"center_kind", "kappa", "asymptotes"}) {
+    json.key(key);
+    json.null();
+  }
+  json.end_object();
+}
+void write_curves_of(JsonWriter& json, const Findings& /*known*/) { write_curves(json, TaskFamily{}); }
+
+/// The pairs, and the named function between them; degrees.
+void write_function(JsonWriter& json, const WantedFunction* wanted) {
+  if (wanted == nullptr) return json.null();
+  std::vector<std::array<double, 2>> pairs, curve;
+  for (const AnglePair& pair : wanted->pairs) pairs.push_back({degrees(pair.input), degrees(pair.output)});
+  if (wanted->function) {
+    const ScaledFunction scaled(*wanted->function);
+    const auto [from, to] = scaled.input_range();
+    for (int i = 0; i <= steps_of_a_curve; ++i) {
+      const double input = from + (to - from) * i / steps_of_a_curve;
+      curve.push_back({degrees(input), degrees(scaled.output_at(input))});
+    }
+  }
+  json.begin_object();
+  json.key("pairs");
+  write_rows(json, pairs);
+  json.key("curve");
+  write_rows(json, curve);
   json.end_object();
 }
 
-void write_no_curves(JsonWriter& json) { write_curves(json, TaskFamily{}); }
+// ---- the census
+// ------------------------------------------------------------------------------------------------------
 
-std::string task_json(const TaskReply& task, std::span<const CurveMark> marks, const ShownAxes& axes,
-                      const Requirements& requirements, const LinkageClass& asked, std::string_view status,
-                      const Notice* reason) {
-  return json_of([&](JsonWriter& json) {
+template <class Counts>
+void write_counts(JsonWriter& json, std::string_view key, const Counts& counts) {
+  json.key(key);
+  json.begin_list(Layout::one_line);
+  for (const std::int64_t count : counts) json.value(count);
+  json.end_list();
+}
+
+template <class CountOf>
+void write_by_requirement(JsonWriter& json, std::string_view key, RequirementKinds kinds, CountOf count_of) {
+  std::vector<std::int64_t> counts;
+  for (const RequirementKind kind : kinds) counts.push_back(count_of(kind));
+  write_counts(json, key, counts);
+}
+
+void write_relaxation(JsonWriter& json, const Relaxation& relaxation) {
+  json.begin_object(Layout::one_line);
+  json.member("requirement", key(relaxation.requirement));
+  write_relaxed_value(json, relaxation);
+  json.member("leaves", relaxation.leaves);
+  json.end_object();
+}
+
+void write_missed_box(JsonWriter& json, const MissedBox& missed) {
+  json.begin_object(Layout::one_line);
+  json.member("requirement", key(missed.box));
+  json.key("nearest");
+  write_point(json, missed.nearest);
+  json.key("beyond");
+  write_point(json, missed.beyond);
+  json.end_object();
+}
+
+template <class Items, class Write>
+void write_list(JsonWriter& json, std::string_view key, const Items& items, Write write) {
+  json.key(key);
+  json.begin_list();
+  for (const auto& item : items) write(json, item);
+  json.end_list();
+}
+
+}  // namespace
+
+std::string task_reply(Session& session) {
+  const Findings& known = findings(session.known());
+  const auto reason = session.why_nothing();
+  const SolutionStatus status = !reason            ? SolutionStatus::solved
+                                : session.family() ? SolutionStatus::no_solution
+                                                   : SolutionStatus::degenerate;
+  return json_text_of([&](JsonWriter& json) {
     json.begin_object();
-    json.member("status", status);
+    json.member("status", name(status));
     json.key("reason");
     reason ? write_notice(json, *reason) : json.null();
-    json.member("pattern", std::string_view(task.pattern));
-    json.member("condition", task.condition);
-    json.member("characteristic_length", task.characteristic_length);
-    json.key("warnings");
-    json.begin_list();
-    for (const Notice& warning : task.warnings) write_notice(json, warning);
-    json.end_list();
+    json.member("pattern", std::string_view(known.pattern));
+    json.member("condition", known.condition);
+    json.member("characteristic_length", known.characteristic_length);
+    write_list(json, "warnings", known.warnings, write_notice);
     json.key("curves");
-    task.write_curves(json);
-    json.member("symmetric", axes.symmetric);
+    std::visit([&](const auto& of_kind) { write_curves_of(json, of_kind); }, session.known());
+    json.member("symmetric", session.axes().symmetric);
     json.key("axes");
     json.begin_object();
     json.key("input");
-    write_axis(json, axes.input);
+    write_axis(json, session.axes().input);
     json.key("output");
-    write_axis(json, axes.output);
+    write_axis(json, session.axes().output);
     json.end_object();
-    json.key("specials");
-    json.begin_list();
-    for (const CurveMark& mark : marks) write_mark(json, mark);
-    json.end_list();
+    write_list(json, "specials", session.marks(), write_mark);
     json.key("function");
-    task.write_function ? task.write_function(json) : json.null();
+    write_function(json, wanted_function(session.problem().task));
     json.key("requirements");
-    linkwright::write_requirements(json, requirements, asked);
+    write_requirements(json, known.requirements, linkages(session.problem().task));
+    json.end_object();
+  });
+}
+
+std::string census_reply(const ColouredMap& map) {
+  const RegionCounts& of = map.counts;
+  const RequirementCensus& met = map.census;
+  return json_text_of([&](JsonWriter& json) {
+    json.begin_object();
+    write_counts(json, "types", of.types);
+    json.member("pairs", of.pairs);
+    json.member("order", of.order);
+    json.member("branch", of.branch);
+    json.member("circuit", of.circuit);
+    json.member("defect_free", of.defect_free);
+    json.member("meeting", met.meeting);
+    write_counts(json, "meeting_types", met.meeting_types);
+    write_by_requirement(json, "only", met.kinds, [&](RequirementKind kind) { return met.failing_only(kind); });
+    write_by_requirement(json, "left", met.kinds, [&](RequirementKind kind) { return met.left_after(kind); });
+    write_list(json, "relax", map.relax, write_relaxation);
+    json.key("relax_together");
+    map.relax_together ? write_joint_relaxation(json, *map.relax_together) : json.null();
+    write_list(json, "missed_boxes", map.missed_boxes, write_missed_box);
+    json.key("inside");
+    json.begin_object(Layout::one_line);
+    json.member("looked_at", map.inside.looked_at);
+    json.member("meeting", map.inside.meeting);
+    json.member("is_empty", map.inside.is_empty);
+    json.end_object();
     json.end_object();
   });
 }

@@ -1,5 +1,3 @@
-#include "tolerance_reply.hpp"
-
 #include <algorithm>
 #include <cmath>
 #include <cstdint>
@@ -8,6 +6,7 @@
 #include "linkwright/core/angle.hpp"
 #include "linkwright/robust/sampled_positions.hpp"
 #include "linkwright/robust/tolerance_report.hpp"
+#include "replies.hpp"
 #include "reply_json.hpp"
 
 namespace linkwright::wasm {
@@ -87,7 +86,7 @@ ToleranceReply tolerance_reply(const LinkageOutput& output, const Tolerances& to
   const auto report = tolerance_report(output, tolerances);
   if (!report) return {};
   ToleranceReply reply;
-  reply.report = json_of([&](JsonWriter& json) {
+  reply.report = json_text_of([&](JsonWriter& json) {
     json.begin_object();
     json.key("tolerance");
     write_tolerance_report(json, *report, tolerances);
@@ -104,7 +103,7 @@ std::string tolerance_at_a_glance(const LinkageOutput& output, const Tolerances&
   few.samples = std::min(tolerances.samples, samples_at_a_glance);
   const auto report = tolerance_report(output, few);
   if (!report) return "";
-  return json_of([&](JsonWriter& json) { write_tolerance_report(json, *report, few); });
+  return json_text_of([&](JsonWriter& json) { write_tolerance_report(json, *report, few); });
 }
 
 }  // namespace linkwright::wasm

@@ -42,6 +42,8 @@
 #include "linkwright/machine/machine_export.hpp"
 #include "linkwright/planar/four_bar_solution.hpp"
 #include "linkwright/region/requirement_filter.hpp"
+#include "linkwright/solve/halo.hpp"
+#include "linkwright/solve/session.hpp"
 #include "linkwright/straight_line/line_measuring.hpp"
 #include "linkwright/straight_line/straight_path.hpp"
 #include "linkwright/sweep/block_journal.hpp"

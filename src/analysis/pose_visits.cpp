@@ -144,31 +144,37 @@ PoseVisits pose_visits(const FourBar& four_bar, std::span<const PrescribedPose> 
 
 namespace {
 
-Notice gap_notice(const char* code, const char* sentence, int pose) {
-  return {
-      code, fmt::format(fmt::runtime(sentence), pose, pose + 1), {{"from", double(pose)}, {"to", double(pose + 1)}}};
+int number_of(int pose, std::span<const int> numbers) {
+  return numbers.empty() ? pose + 1 : numbers[static_cast<std::size_t>(pose)];
 }
 
-Notice order_notice(const std::vector<int>& order) {
-  std::vector<int> numbers;
-  for (const int pose : order) numbers.push_back(pose + 1);
-  const std::string met = fmt::format("{}", fmt::join(numbers, "-"));
+Notice gap_notice(const char* code, const char* sentence, int pose, std::span<const int> numbers) {
+  const int from = number_of(pose - 1, numbers), to = number_of(pose, numbers);
+  return {code, fmt::format(fmt::runtime(sentence), from, to), {{"from", double(from)}, {"to", double(to)}}};
+}
+
+Notice order_notice(const std::vector<int>& order, std::span<const int> numbers) {
+  std::vector<int> called;
+  for (const int pose : order) called.push_back(number_of(pose, numbers));
+  const std::string met = fmt::format("{}", fmt::join(called, "-"));
   return {
       "order_defect", fmt::format("Order defect: this linkage reaches the positions as {}.", met), {{"order", met}}};
 }
 
 }  // namespace
 
-std::optional<Notice> defect_notice(Defects defects, const PoseVisits& visits) {
+std::optional<Notice> defect_notice(Defects defects, const PoseVisits& visits, std::span<const int> numbers) {
   if (defects.none()) return std::nullopt;
   if (const int pose = visits.first_on_another_circuit(); defects.circuit() && pose > 0)
     return gap_notice("circuit_defect",
-                      "Circuit defect: positions {} and {} lie on different circuits; reassembly needed.", pose);
+                      "Circuit defect: positions {} and {} lie on different circuits; reassembly needed.", pose,
+                      numbers);
   if (const int pose = visits.first_on_another_branch(); defects.branch() && pose > 0)
-    return gap_notice("branch_defect", "Branch defect: it passes a dead point between positions {} and {}.", pose);
+    return gap_notice("branch_defect", "Branch defect: it passes a dead point between positions {} and {}.", pose,
+                      numbers);
   if (defects.order() && std::is_sorted(visits.order.begin(), visits.order.end()))
     return Notice{"direction_defect", "Order defect: it passes a position against its direction of travel.", {}};
-  if (defects.order()) return order_notice(visits.order);
+  if (defects.order()) return order_notice(visits.order, numbers);
   return Notice{"change_point_defect",
                 "Branch defect: it passes a change point between the positions, and may go on "
                 "either way there.",

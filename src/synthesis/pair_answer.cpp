@@ -63,9 +63,8 @@ auto all_pairs(const KindAnswer& answer) {
   return pairs;
 }
 
-// Where driving a generator free of defects confirms it, it must also have brought the output to each pair.
 template <class Solution, class Family>
-void measure_function(Solution& found, const Family& family) {
+void measure_generated(Solution& found, const Family& family) {
   const MapPoint place{found.input.coordinate, found.output.coordinate};
   found.function = family.error_of(found.four_bar, place);
   found.residual_derivatives = family.rate_residual(place);
@@ -177,18 +176,6 @@ bool find_pairs(KindAnswer& answer, const TaskWords& words, const Progress& prog
 
 Error cancelled() { return {"cancelled", "", "stopped before the answer was complete"}; }
 
-// An answer of the kind, before anything is searched for.
-template <class KindAnswer, class KindTask, class Given>
-KindAnswer begin_answer(const KindTask& task, Given given) {
-  KindAnswer answer;
-  answer.task = task;
-  answer.pattern = given.pattern;
-  answer.condition = given.conditions.condition();
-  answer.warnings = given.warnings;
-  answer.given = std::move(given);
-  return answer;
-}
-
 void set_wishes(FourBarAnswer& answer, const Requirements& requirements, const SynthesisOptions& options) {
   answer.characteristic_length = answer.given.frame().scale;
   answer.requirements = with_defaults(requirements, answer.given);
@@ -197,6 +184,19 @@ void set_wishes(FourBarAnswer& answer, const Requirements& requirements, const S
 void set_wishes(SphericalAnswer& answer, const Requirements& requirements, const SynthesisOptions& options) {
   answer.requirements = with_default_angles(requirements);
   answer.options = options;
+}
+
+template <class KindAnswer, class KindTask, class Given>
+KindAnswer begin_pairs(const KindTask& task, Given given, const Requirements& requirements,
+                       const SynthesisOptions& options) {
+  KindAnswer answer;
+  answer.task = task;
+  answer.pattern = given.pattern;
+  answer.condition = given.conditions.condition();
+  answer.warnings = given.warnings;
+  answer.given = std::move(given);
+  set_wishes(answer, requirements, options);
+  return answer;
 }
 
 // Nothing passes all five positions: which of them to free is to be said.
@@ -208,9 +208,7 @@ bool wants_relaxed(const KindAnswer& answer, int positions) {
 
 // The input is the task's, and so are the ground pivots: what is left to measure is the function.
 template <class KindAnswer>
-Result<Answer> generators(KindAnswer answer, const Requirements& requirements, const SynthesisOptions& options,
-                          const TaskWords& words, const Progress& progress) {
-  set_wishes(answer, requirements, options);
+Result<Answer> generators(KindAnswer answer, const TaskWords& words, const Progress& progress) {
   if (!find_pairs(answer, words, progress)) return cancelled();
   if (const auto& family = answer.given.functions; family && !find_generators(answer, *family, progress))
     return cancelled();
@@ -224,14 +222,35 @@ Progress part_of(const Progress& progress, double from, double to) {
 
 }  // namespace
 
+void measure_function(FourBarSolution& found, const FunctionFamily& family) { measure_generated(found, family); }
+void measure_function(SphericalSolution& found, const SphericalFunctionFamily& family) {
+  measure_generated(found, family);
+}
+
+MotionAnswer begin_answer(const MotionTask& task, const Requirements& requirements, const SynthesisOptions& options,
+                          const Progress& progress) {
+  return begin_pairs<MotionAnswer>(task, task_family(task, requirements, options.objective, {{}, progress.cancelled}),
+                                   requirements, options);
+}
+FunctionAnswer begin_answer(const FunctionTask& task, const Requirements& requirements, const SynthesisOptions& options,
+                            const Progress& /*progress*/) {
+  return begin_pairs<FunctionAnswer>(task, task_family(task), requirements, options);
+}
+SphericalMotionAnswer begin_answer(const SphericalMotionTask& task, const Requirements& requirements,
+                                   const SynthesisOptions& options, const Progress& /*progress*/) {
+  return begin_pairs<SphericalMotionAnswer>(task, task_family(task), requirements, options);
+}
+SphericalFunctionAnswer begin_answer(const SphericalFunctionTask& task, const Requirements& requirements,
+                                     const SynthesisOptions& options, const Progress& /*progress*/) {
+  return begin_pairs<SphericalFunctionAnswer>(task, task_family(task), requirements, options);
+}
+
 // Five positions that no usable four-bar passes: which of them to free, and what its error becomes.
 Result<Answer> solve_of_kind(const MotionTask& task, const Requirements& requirements, const SynthesisOptions& options,
                              const Progress& progress) {
   const bool five = position_count(task.poses) == 5;
   const double here = five ? 0.5 : 1;
-  auto answer =
-      begin_answer<MotionAnswer>(task, task_family(task, requirements, options.objective, {{}, progress.cancelled}));
-  set_wishes(answer, requirements, options);
+  MotionAnswer answer = begin_answer(task, requirements, options, progress);
   if (!find_pairs(answer, {}, part_of(progress, 0, here))) return cancelled();
   if (wants_relaxed(answer, position_count(task.poses))) {
     answer.relaxed = drop_one_position(task, requirements, {.region = options.region}, part_of(progress, here, 1));
@@ -243,8 +262,7 @@ Result<Answer> solve_of_kind(const MotionTask& task, const Requirements& require
 
 Result<Answer> solve_of_kind(const SphericalMotionTask& task, const Requirements& requirements,
                              const SynthesisOptions& options, const Progress& progress) {
-  auto answer = begin_answer<SphericalMotionAnswer>(task, task_family(task));
-  set_wishes(answer, requirements, options);
+  SphericalMotionAnswer answer = begin_answer(task, requirements, options, progress);
   if (!find_pairs(answer, spherical_words, progress)) return cancelled();
   if (wants_relaxed(answer, position_count(task.orientations))) {
     answer.relaxed = drop_one_orientation(task, requirements, options.region, progress);
@@ -255,14 +273,12 @@ Result<Answer> solve_of_kind(const SphericalMotionTask& task, const Requirements
 
 Result<Answer> solve_of_kind(const FunctionTask& task, const Requirements& requirements,
                              const SynthesisOptions& options, const Progress& progress) {
-  return generators(begin_answer<FunctionAnswer>(task, task_family(task)), requirements, options, function_words,
-                    progress);
+  return generators(begin_answer(task, requirements, options, progress), function_words, progress);
 }
 
 Result<Answer> solve_of_kind(const SphericalFunctionTask& task, const Requirements& requirements,
                              const SynthesisOptions& options, const Progress& progress) {
-  return generators(begin_answer<SphericalFunctionAnswer>(task, task_family(task)), requirements, options,
-                    spherical_function_words, progress);
+  return generators(begin_answer(task, requirements, options, progress), spherical_function_words, progress);
 }
 
 }  // namespace linkwright

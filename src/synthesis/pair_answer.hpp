@@ -7,6 +7,21 @@
 
 namespace linkwright {
 
+/// What is known of a task without mistakes before linkages are looked for.
+[[nodiscard]] MotionAnswer begin_answer(const MotionTask& task, const Requirements& requirements,
+                                        const SynthesisOptions& options, const Progress& progress = {});
+[[nodiscard]] FunctionAnswer begin_answer(const FunctionTask& task, const Requirements& requirements,
+                                          const SynthesisOptions& options, const Progress& progress = {});
+[[nodiscard]] SphericalMotionAnswer begin_answer(const SphericalMotionTask& task, const Requirements& requirements,
+                                                 const SynthesisOptions& options, const Progress& progress = {});
+[[nodiscard]] SphericalFunctionAnswer begin_answer(const SphericalFunctionTask& task, const Requirements& requirements,
+                                                   const SynthesisOptions& options, const Progress& progress = {});
+
+/// How well a linkage of a function's task generates it. Where driving a generator free of defects confirms it, it must
+/// also have brought the output to each pair.
+void measure_function(FourBarSolution& found, const FunctionFamily& family);
+void measure_function(SphericalSolution& found, const SphericalFunctionFamily& family);
+
 /// Everything found for a task of four-bars, in the plane or on the sphere, without mistakes; what driving does not
 /// confirm is still among it. Cancelled: an error.
 [[nodiscard]] Result<Answer> solve_of_kind(const MotionTask& task, const Requirements& requirements,

@@ -102,7 +102,6 @@ MapPoint cell_size(const ChainFamily& family, const RegionMap& map, const std::o
 }
 
 Result<Answer> solve_chain(SixBarAnswer answer, const Progress& progress) {
-  answer.chain = ChainFamily::of(answer.task);
   if (!answer.chain) return Error{"out_of_reach", "task.chain", "the chain does not reach all poses"};
   const CountedRegion counted =
       count_region(answer, *answer.chain, {samples_of(answer.options), answer.options.window}, progress);
@@ -142,17 +141,24 @@ Answer search_chain(SixBarAnswer answer, const Progress& progress) {
 
 }  // namespace
 
-Result<Answer> solve_of_kind(const SixBarTask& task, const Requirements& requirements, const SynthesisOptions& options,
-                             const Progress& progress) {
+SixBarAnswer begin_answer(const SixBarTask& task, const Requirements& requirements, const SynthesisOptions& options,
+                          const Progress& /*progress*/) {
   const PoseConditions conditions = pose_conditions(task.poses);
   SixBarAnswer answer;
   answer.task = task;
+  answer.chain = ChainFamily::of(task);
   answer.pattern = pattern(task.poses);
   answer.condition = conditions.condition();
   answer.characteristic_length = conditions.frame.scale;
   answer.requirements = task.chain ? with_defaults(requirements, *task.chain) : requirements;
   answer.options = with_turning_length(options, answer.characteristic_length);
   if (auto notice = points_notice(task.points)) answer.warnings.push_back(*std::move(notice));
+  return answer;
+}
+
+Result<Answer> solve_of_kind(const SixBarTask& task, const Requirements& requirements, const SynthesisOptions& options,
+                             const Progress& progress) {
+  SixBarAnswer answer = begin_answer(task, requirements, options);
   return task.chain ? solve_chain(std::move(answer), progress) : search_chain(std::move(answer), progress);
 }
 

@@ -233,16 +233,23 @@ Notice no_straight_line(const StraightLineTask& task) {
           {{"case", std::string(name(task.given))}}};
 }
 
-Result<Answer> solve_of_kind(const StraightLineTask& task, const Requirements& requirements,
-                             const SynthesisOptions& options, const Progress& progress) {
+StraightLineAnswer begin_answer(const StraightLineTask& task, const Requirements& requirements,
+                                const SynthesisOptions& options, const Progress& /*progress*/) {
   StraightLineAnswer answer;
   answer.task = task;
   answer.characteristic_length = size_of(task);
   answer.requirements = with_default_length(requirements, task);
   answer.options = with_turning_length(options, answer.characteristic_length);
+  if (!std::holds_alternative<straight_cases::Search>(task.given))
+    answer.lines = std::make_shared<StraightLineFamily>(task, options.line, options.window);
+  return answer;
+}
+
+Result<Answer> solve_of_kind(const StraightLineTask& task, const Requirements& requirements,
+                             const SynthesisOptions& options, const Progress& progress) {
+  StraightLineAnswer answer = begin_answer(task, requirements, options);
   if (const auto* wanted = std::get_if<straight_cases::Search>(&task.given))
     return search_all_cases(std::move(answer), *wanted, progress);
-  answer.lines = std::make_shared<StraightLineFamily>(task, options.line, options.window);
   const StraightLineFamily& family = *answer.lines;
   const CountedRegion counted = count_region(answer, family, {options.region_samples, std::nullopt}, progress);
   if (options.at) {

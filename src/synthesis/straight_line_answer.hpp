@@ -6,6 +6,10 @@
 
 namespace linkwright {
 
+/// What is known of a straight line before linkages are looked for; `task` without mistakes.
+[[nodiscard]] StraightLineAnswer begin_answer(const StraightLineTask& task, const Requirements& requirements,
+                                              const SynthesisOptions& options, const Progress& progress = {});
+
 /// Everything found for a straight line; `task` without mistakes. Cancelled: an error.
 [[nodiscard]] Result<Answer> solve_of_kind(const StraightLineTask& task, const Requirements& requirements,
                                            const SynthesisOptions& options, const Progress& progress);

@@ -1,12 +1,11 @@
 // What the attitude page is told: the same as `linkwright attitude` says, and each thing played from its beginning to
 // its end.
-#include "attitude_reply.hpp"
-
 #include <cmath>
 #include <gtest/gtest.h>
 #include <nlohmann/json.hpp>
 
 #include "linkwright/files/orientation_file.hpp"
+#include "replies.hpp"
 
 namespace linkwright::wasm::attitude_reply_test {
 namespace {

@@ -1,7 +1,7 @@
-#include "instant_reply.hpp"
-
 #include <gtest/gtest.h>
 #include <nlohmann/json.hpp>
+
+#include "replies.hpp"
 
 namespace linkwright::wasm::instant_reply_test {
 namespace {

@@ -1,16 +1,11 @@
 // Linkages that are opened as such: what the page is told of them and what is written.
-#include "opened_linkage.hpp"
-
 #include <cmath>
 #include <gtest/gtest.h>
 #include <nlohmann/json.hpp>
 
-#include "linkage_reply.hpp"
 #include "linkwright/core/angle.hpp"
 #include "linkwright/files/six_bar_file.hpp"
 #include "session.hpp"
-#include "six_bar_reply.hpp"
-#include "spherical_reply.hpp"
 #include "support/machine_cases.hpp"
 
 namespace linkwright::wasm::opened_linkage_test {
@@ -30,19 +25,19 @@ std::size_t width_of(const AnyStoredLinkage& linkage) {
 }
 
 TEST(OpenedLinkages, AreDrivenAndWrittenWhateverTheyAre) {
-  Session session;
+  PageSession session;
   for (const AnyStoredLinkage& stored : testing::stored_linkages_of_examples()) {
     ASSERT_TRUE(session.set_problem(problem_of(file_of(stored)))) << session.mistakes();
-    const LinkageReply reply = session.linkage(0, 0);
+    const LinkageReply reply = session.linkage({0, 0});
     const json linkage = json::parse(reply.linkage);
-    ASSERT_FALSE(linkage["drive"].is_null());
+    ASSERT_FALSE(linkage["travel"].is_null());
     const std::size_t rows = reply.states.size() / width_of(stored);
     EXPECT_EQ(reply.states.size() % width_of(stored), 0u);
     EXPECT_GT(rows, 100u);
     EXPECT_EQ(linkage["rates"]["rows"].size(), rows);
-    for (const char* format : {"svg", "csv", "json"}) EXPECT_FALSE(session.exported(0, 0, format).empty()) << format;
+    for (const char* format : {"svg", "csv", "json"}) EXPECT_FALSE(session.exported({0, 0}, format).empty()) << format;
     for (const char* format : {"3mf", "urdf", "sdf", "mjcf"}) {
-      const auto file = session.machine_file(0, 0, format, {});
+      const auto file = session.machine_file({0, 0}, format, {});
       EXPECT_TRUE(file && !file->empty()) << format;
     }
   }
@@ -76,20 +71,20 @@ TEST(OpenedLinkages, TellTheRatesOfTheirOwnTable) {
 
 TEST(OpenedLinkages, OfFourBarsHaveTheVelocityRatioForTheOutput) {
   const json file = {{"lengths", {{"ground", 3.5}, {"input", 1}, {"coupler", 3}, {"output", 2.5}}}};
-  Session session;
+  PageSession session;
   ASSERT_TRUE(session.set_problem(problem_of(file)));
-  const LinkageReply reply = session.linkage(0, 0);
+  const LinkageReply reply = session.linkage({0, 0});
   const json linkage = json::parse(reply.linkage);
-  EXPECT_EQ(linkage["type"], "crank_rocker");
-  EXPECT_TRUE(linkage["drive"]["full_turn"].get<bool>());
-  EXPECT_NEAR(linkage["driver_sweep_deg"], 360, 1e-9);
-  EXPECT_EQ(linkage["min_transmission_angle_deg"], linkage["min_transmission_angle_full_turn_deg"]);
+  EXPECT_EQ(linkage["record"]["type"], "crank_rocker");
+  EXPECT_TRUE(linkage["travel"]["full_turn"].get<bool>());
+  EXPECT_NEAR(linkage["record"]["driver_sweep_deg"], 360, 1e-9);
+  EXPECT_EQ(linkage["record"]["min_transmission_angle_deg"], linkage["record"]["min_transmission_angle_full_turn_deg"]);
   for (std::size_t row = 0; row < linkage["rates"]["rows"].size(); row += 15)
     EXPECT_NEAR(linkage["rates"]["rows"][row][4], reply.states[row * state_width + 11], 1e-9);
 }
 
 TEST(OpenedLinkages, SayWhatIsWrongWithThem) {
-  Session session;
+  PageSession session;
   const auto first_mistake = [&](const json& file) {
     EXPECT_FALSE(session.set_problem(problem_of(file)));
     return json::parse(session.mistakes())[0];
@@ -103,15 +98,15 @@ TEST(OpenedLinkages, SayWhatIsWrongWithThem) {
 
 // A problem that follows a linkage is a problem again, and the other way round.
 TEST(OpenedLinkages, GiveWayToATask) {
-  Session session;
+  PageSession session;
   const json file = {{"lengths", {{"ground", 3.5}, {"input", 1}, {"coupler", 3}, {"output", 2.5}}}};
   const std::string task = R"({"linkwright": 1, "task": {"kind": "motion", "mechanism": "four_bar", "poses": [
     {"x": 0, "y": 0, "theta_deg": 0}, {"x": 50, "y": 30, "theta_deg": 30}, {"x": 60, "y": 90, "theta_deg": 80},
     {"x": 20, "y": 120, "theta_deg": 100}]}})";
   ASSERT_TRUE(session.set_problem(task));
   ASSERT_TRUE(session.set_problem(problem_of(file)));
-  EXPECT_FALSE(session.linkage(0, 0).linkage.empty());
-  EXPECT_TRUE(session.live(0, 0).input.empty());
+  EXPECT_FALSE(session.linkage({0, 0}).linkage.empty());
+  EXPECT_TRUE(session.live({0, 0}).input.empty());
   ASSERT_TRUE(session.set_problem(task));
   EXPECT_NE(session.explore({}).map, nullptr);
   EXPECT_FALSE(opened_linkage(task).has_value());

@@ -4,14 +4,14 @@
 #include <cmath>
 #include <gtest/gtest.h>
 #include <nlohmann/json.hpp>
+#include <span>
 
 #include "linkwright/analysis/transmission_angle.hpp"
 #include "linkwright/core/angle.hpp"
+#include "linkwright/files/problem_file.hpp"
 #include "linkwright/files/six_bar_file.hpp"
 #include "linkwright/synthesis/solve.hpp"
 #include "session.hpp"
-#include "six_bar_reply.hpp"
-#include "spherical_reply.hpp"
 
 namespace linkwright::wasm::session_kinds_test {
 namespace {
@@ -47,31 +47,36 @@ struct Explored {
     reply = session.explore(request);
     task = json::parse(reply.task);
   }
+  [[nodiscard]] std::span<const double> input_tau() const { return reply.map->region.input_coordinates(); }
+  [[nodiscard]] std::span<const double> output_tau() const { return reply.map->region.output_coordinates(); }
+  [[nodiscard]] json linkage(double input, double output) {
+    return json::parse(session.linkage({input, output}).linkage);
+  }
   /// A cell that meets everything.
   [[nodiscard]] std::array<double, 2> passing() const {
-    const auto& fails = reply.map->fails();
+    const auto& fails = reply.map->fails;
     const auto found = static_cast<std::size_t>(std::find(fails.begin(), fails.end(), 0) - fails.begin());
-    const std::size_t columns = reply.output_tau.size();
-    return {reply.input_tau[found / columns], reply.output_tau[found % columns]};
+    const std::size_t columns = output_tau().size();
+    return {input_tau()[found / columns], output_tau()[found % columns]};
   }
-  Session session;
-  ExploreRequest request;
+  PageSession session;
+  MapRequest request;
   ExploreReply reply;
   json task;
 };
 
 void expect_linkage_without_defects(Explored& explored, std::size_t width) {
   ASSERT_NE(explored.reply.map, nullptr);
-  ASSERT_GT(explored.reply.map->census().meeting, 0);
+  ASSERT_GT(explored.reply.map->census.meeting, 0);
   const auto [input, output] = explored.passing();
-  const LinkageReply reply = explored.session.linkage(input, output);
+  const LinkageReply reply = explored.session.linkage({input, output});
   const json linkage = json::parse(reply.linkage);
   EXPECT_EQ(linkage["fails"], 0);
-  EXPECT_FALSE(linkage["defects"]["branch"].get<bool>());
-  ASSERT_FALSE(linkage["drive"].is_null());
+  EXPECT_FALSE(linkage["record"]["defects"]["branch"].get<bool>());
+  ASSERT_FALSE(linkage["travel"].is_null());
   EXPECT_EQ(reply.states.size() % width, 0u);
-  for (const json& tick : linkage["drive"]["ticks"]) EXPECT_TRUE(tick["reached"].get<bool>());
-  EXPECT_TRUE(json::parse(explored.session.verify(input, output))["verified"].get<bool>());
+  for (const json& tick : linkage["travel"]["ticks"]) EXPECT_TRUE(tick["reached"].get<bool>());
+  EXPECT_TRUE(json::parse(explored.session.verify({input, output}))["verified"].get<bool>());
 }
 
 constexpr std::string_view spherical_square =
@@ -84,12 +89,12 @@ TEST(SessionOfASphericalFunction, TellsTheFunctionAndWhatALinkageMakesOfIt) {
   EXPECT_FALSE(explored.task["symmetric"].get<bool>());
   EXPECT_EQ(explored.task["function"]["pairs"].size(), 4u);
   EXPECT_NE(explored.reply.output_curves, nullptr);
-  EXPECT_EQ(explored.reply.map->census().meeting, meeting_requirements(spherical_square));
+  EXPECT_EQ(explored.reply.map->census.meeting, meeting_requirements(spherical_square));
   expect_linkage_without_defects(explored, spherical_state_width);
   const auto [input, output] = explored.passing();
-  const json linkage = json::parse(explored.session.linkage(input, output).linkage);
-  EXPECT_LT(linkage["function"]["precision_error_deg"].get<double>(), 1e-7);
-  EXPECT_TRUE(linkage["function"]["max_structural_error_deg"].is_number());
+  const json linkage = explored.linkage(input, output);
+  EXPECT_LT(linkage["record"]["precision_error_deg"].get<double>(), 1e-7);
+  EXPECT_TRUE(linkage["record"]["max_structural_error_deg"].is_number());
 }
 
 TEST(SessionOfThreePoses, HasAMapOverTwoDirections) {
@@ -105,9 +110,9 @@ TEST(SessionOfThreePoses, HasAMapOverTwoDirections) {
 
 TEST(SessionOfFivePoses, HasABoard) {
   Explored explored(five_poses);
-  EXPECT_EQ(explored.reply.input_tau.size(), 4u);
-  EXPECT_EQ(explored.reply.map->fails().size(), 16u);
-  EXPECT_EQ(explored.reply.input_curves->tau.size(), 4u);
+  EXPECT_EQ(explored.input_tau().size(), 4u);
+  EXPECT_EQ(explored.reply.map->fails.size(), 16u);
+  EXPECT_EQ(explored.reply.input_curves->coordinate.size(), 4u);
   EXPECT_EQ(explored.task["axes"]["input"]["quantity"], "burmester_point");
   EXPECT_EQ(json::parse(explored.reply.census)["pairs"], 12);
   expect_linkage_without_defects(explored, state_width);
@@ -119,17 +124,17 @@ TEST(SessionOfFivePoses, FreesOneOfThem) {
   Explored explored(problem.dump(), 100);
   explored.request.property = "pose_miss";
   explored.reply = explored.session.explore(explored.request);
-  const auto& values = explored.reply.map->values();
-  const auto& fails = explored.reply.map->fails();
+  const auto& values = explored.reply.map->values;
+  const auto& fails = explored.reply.map->fails;
   for (std::size_t cell = 0; cell < values.size(); ++cell)
     EXPECT_TRUE(fails[cell] == 0 ? values[cell] > 0 : values[cell] == 0);
   const auto [input, output] = explored.passing();
-  const json linkage = json::parse(explored.session.linkage(input, output).linkage);
-  ASSERT_FALSE(linkage["miss"].is_null());
-  const double distance = linkage["miss"]["distance"], angle = linkage["miss"]["angle_deg"];
+  const json linkage = explored.linkage(input, output);
+  ASSERT_FALSE(linkage["record"]["miss"].is_null());
+  const double distance = linkage["record"]["miss"]["distance"], angle = linkage["record"]["miss"]["angle_deg"];
   EXPECT_GT(std::hypot(distance, angle), 0);
   std::vector<int> positions;
-  for (const json& tick : linkage["drive"]["ticks"]) positions.push_back(tick["position"]);
+  for (const json& tick : linkage["travel"]["ticks"]) positions.push_back(tick["position"]);
   EXPECT_EQ(positions, (std::vector<int>{1, 2, 4, 5}));
 }
 
@@ -137,13 +142,12 @@ TEST(SessionOfFivePoses, CountsThePosesOfADefectAsTheTaskDoes) {
   json problem = json::parse(five_poses);
   problem["task"]["freed_pose"] = 2;
   Explored explored(problem.dump(), 60);
-  const auto& map = explored.reply.map->map();
+  const auto& map = explored.reply.map->region;
   int seen = 0;
   for (std::size_t row = 0; row < map.rows(); ++row)
     for (std::size_t column = 0; column < map.columns() && seen < 20; ++column) {
       if (map.defects()[map.index(row, column)] == 0) continue;
-      const json reason = json::parse(
-          explored.session.linkage(explored.reply.input_tau[row], explored.reply.output_tau[column]).linkage)["reason"];
+      const json reason = explored.linkage(explored.input_tau()[row], explored.output_tau()[column])["reason"];
       if (reason.is_null() || reason["code"] != "order_defect") continue;
       std::string order = reason["values"]["order"];
       std::sort(order.begin(), order.end());
@@ -155,16 +159,16 @@ TEST(SessionOfFivePoses, CountsThePosesOfADefectAsTheTaskDoes) {
 
 TEST(SessionOfAFunction, HasARibbon) {
   Explored explored(square);
-  EXPECT_EQ(explored.reply.output_tau.size(), 1u);
+  EXPECT_EQ(explored.output_tau().size(), 1u);
   EXPECT_EQ(explored.task["axes"]["output"]["quantity"], "nothing");
-  EXPECT_GT(explored.reply.input_curves->tau.size(), 100u);
+  EXPECT_GT(explored.reply.input_curves->coordinate.size(), 100u);
   EXPECT_EQ(json::parse(explored.reply.census)["meeting"], meeting_requirements(square));
   expect_linkage_without_defects(explored, state_width);
   const auto [input, output] = explored.passing();
-  const LiveReply live = explored.session.live(input, output);
-  EXPECT_EQ(live.input.size(), explored.reply.input_curves->tau.size());
-  EXPECT_EQ(live.output.size(), explored.reply.output_curves->tau.size());
-  EXPECT_EQ(explored.reply.output_curves->tau, explored.reply.input_curves->tau);
+  const LiveLinks live = explored.session.live({input, output});
+  EXPECT_EQ(live.input.size(), explored.reply.input_curves->coordinate.size());
+  EXPECT_EQ(live.output.size(), explored.reply.output_curves->coordinate.size());
+  EXPECT_EQ(explored.reply.output_curves->coordinate, explored.reply.input_curves->coordinate);
 }
 
 TEST(SessionOfAFunction, TellsWhatIsWantedAndWhatIsGenerated) {
@@ -176,24 +180,24 @@ TEST(SessionOfAFunction, TellsWhatIsWantedAndWhatIsGenerated) {
   EXPECT_GT(wanted["curve"].size(), 50u);
   explored.request.property = "max_structural_error_deg";
   explored.reply = explored.session.explore(explored.request);
-  const auto& values = explored.reply.map->values();
+  const auto& values = explored.reply.map->values;
   const json best = json::parse(explored.session.best(1))["linkages"][0];
-  const json generated = json::parse(explored.session.linkage(best["tau"][0], best["tau"][1]).linkage)["function"];
-  const double error = generated["max_structural_error_deg"];
+  const json generated = explored.linkage(best["tau"][0], best["tau"][1]);
+  const json& record = generated["record"];
+  const double error = record["max_structural_error_deg"];
   for (const float value : values) {
     if (value > 0) {
       EXPECT_LE(error, value * (1 + 1e-3));
     }
   }
   EXPECT_TRUE(generated["reaches_pairs"].get<bool>());
-  EXPECT_TRUE(generated["unreached_deg"].empty());
+  EXPECT_TRUE(record["unreached_deg"].empty());
   for (std::size_t j = 0; j < 4; ++j) {
-    EXPECT_NEAR(generated["pairs"][j][0], wanted["pairs"][j][0], 1e-12);
-    EXPECT_LT(std::abs(generated["pairs"][j][2].get<double>()), 1e-6);
+    EXPECT_NEAR(generated["pairs_deg"][j][0], wanted["pairs"][j][0], 1e-12);
+    EXPECT_LT(std::abs(record["errors_at_pairs_deg"][j].get<double>()), 1e-6);
   }
   double worst = 0;
-  for (const json& sample : generated["curve"])
-    worst = std::max(worst, std::abs(sample[2].get<double>() - sample[1].get<double>()));
+  for (const double there : record["error_curve"]["error_deg"]) worst = std::max(worst, std::abs(there));
   EXPECT_NEAR(worst, error, 0.01 * error);
 }
 
@@ -203,10 +207,10 @@ TEST(SessionOfAFunction, ImprovesItsObjective) {
   Explored explored(problem.dump());
   const std::array<double, 2> place = explored.passing();
   const auto error_at = [&](double tau) {
-    const json function = json::parse(explored.session.linkage(tau, place[1]).linkage)["function"];
-    return function["max_structural_error_deg"].get<double>();
+    const json record = explored.linkage(tau, place[1])["record"];
+    return record["max_structural_error_deg"].get<double>();
   };
-  const json improved = json::parse(explored.session.improve(place[0], place[1]));
+  const json improved = json::parse(explored.session.improve({place[0], place[1]}));
   if (improved["improved"].get<bool>()) {
     EXPECT_LT(error_at(improved["tau"][0]), error_at(place[0]));
   }
@@ -220,37 +224,39 @@ TEST(SessionOfAFunction, WithoutANameKnowsItsPairsOnly) {
   EXPECT_TRUE(explored.task["function"]["curve"].empty());
   EXPECT_EQ(explored.task["axes"]["output"]["quantity"], "output_scale");
   const auto [input, output] = explored.passing();
-  const json generated = json::parse(explored.session.linkage(input, output).linkage)["function"];
-  EXPECT_TRUE(generated["max_structural_error_deg"].is_null());
-  EXPECT_TRUE(generated["curve"].empty());
-  EXPECT_NE(generated["pairs"][3][1].get<double>(), 60.0);  // as scaled
-  EXPECT_FALSE(explored.session.exported(input, output, "csv").empty());
+  const json generated = explored.linkage(input, output);
+  EXPECT_TRUE(generated["record"]["max_structural_error_deg"].is_null());
+  EXPECT_FALSE(generated["record"].contains("error_curve"));
+  EXPECT_NE(generated["pairs_deg"][3][1].get<double>(), 60.0);  // as scaled
+  EXPECT_FALSE(explored.session.exported({input, output}, "csv").empty());
 }
 
 TEST(SessionOfASixBar, HasAMapOverBothAddedLinks) {
   Explored explored(loader, 80);
-  EXPECT_EQ(explored.reply.map->fails().size(), 400u);
+  EXPECT_EQ(explored.reply.map->fails.size(), 400u);
   EXPECT_FALSE(explored.task["symmetric"].get<bool>());
-  EXPECT_FALSE(explored.reply.input_curves->tau.empty());
+  EXPECT_FALSE(explored.reply.input_curves->coordinate.empty());
   expect_linkage_without_defects(explored, six_bar_state_width);
   const auto [input, output] = explored.passing();
-  const json linkage = json::parse(explored.session.linkage(input, output).linkage);
-  EXPECT_EQ(linkage["mechanism"], "six_bar");
-  EXPECT_EQ(linkage["six_bar"]["joints"].size(), 7u);
-  EXPECT_EQ(linkage["six_bar"]["lengths"].size(), 10u);
-  EXPECT_EQ(linkage["input"]["center"], linkage["six_bar"]["joints"][3]["at"]);
-  const LiveReply live = explored.session.live(input, output);
-  EXPECT_EQ(live.input.size(), explored.reply.input_curves->tau.size());
-  EXPECT_GT(explored.session.trace(input, output, {0, 0}).size(), 20u);
+  const json linkage = explored.linkage(input, output);
+  const json& record = linkage["record"];
+  EXPECT_EQ(record["mechanism"], "six_bar");
+  EXPECT_EQ(record["joints"].size(), 7u);
+  EXPECT_EQ(record["lengths"].size(), 10u);
+  EXPECT_EQ(record["added"][0]["points"][0], record["joints"]["c4"]);
+  EXPECT_EQ(linkage["bodies"].size(), 6u);
+  const LiveLinks live = explored.session.live({input, output});
+  EXPECT_EQ(live.input.size(), explored.reply.input_curves->coordinate.size());
+  EXPECT_GT(explored.session.trace({input, output}, {0, 0}).size(), 20u);
 }
 
 TEST(SessionOfASixBar, ImprovesTheOneInHand) {
   Explored explored(loader, 80);
   const auto [input, output] = explored.passing();
-  const json better = json::parse(explored.session.improve(input, output));
+  const json better = json::parse(explored.session.improve({input, output}));
   ASSERT_TRUE(better["improved"]);
   const auto angle = [&](double first, double second) {
-    return json::parse(explored.session.linkage(first, second).linkage)["min_transmission_angle_deg"].get<double>();
+    return explored.linkage(first, second)["record"]["min_transmission_angle_deg"].get<double>();
   };
   EXPECT_GT(angle(better["tau"][0], better["tau"][1]), angle(input, output));
 }
@@ -258,7 +264,7 @@ TEST(SessionOfASixBar, ImprovesTheOneInHand) {
 TEST(SessionOfASixBar, WritesEveryFormat) {
   Explored explored(loader, 80);
   const std::array<double, 2> place = explored.passing();
-  const auto written = [&](std::string_view format) { return explored.session.exported(place[0], place[1], format); };
+  const auto written = [&](std::string_view format) { return explored.session.exported({place[0], place[1]}, format); };
   EXPECT_NE(written("svg").find("<svg"), std::string::npos);
   EXPECT_NE(written("dxf").find("BODY_PATH"), std::string::npos);
   const std::string table = written("csv");
@@ -276,7 +282,7 @@ TEST(SessionOfASixBar, WithoutAChainAsksForOne) {
   json problem = json::parse(loader);
   problem["task"].erase("chain");
   problem["options"] = {{"box", {{"x", {-2600, 400}}, {"y", {0, 2400}}}}, {"effort", 400}, {"seed", 13}};
-  Session session;
+  PageSession session;
   ASSERT_TRUE(session.set_problem(problem.dump())) << session.mistakes();
   const ExploreReply reply = session.explore({});
   EXPECT_EQ(reply.map, nullptr);
@@ -285,10 +291,10 @@ TEST(SessionOfASixBar, WithoutAChainAsksForOne) {
   ASSERT_FALSE(best["linkages"].empty());
   for (const json& found : best["linkages"]) {
     problem["task"]["chain"] = found["chain"];
-    Session chained;
+    PageSession chained;
     ASSERT_TRUE(chained.set_problem(problem.dump())) << chained.mistakes();
-    const json linkage = json::parse(chained.linkage(found["tau"][0], found["tau"][1]).linkage);
-    EXPECT_NEAR(linkage["min_transmission_angle_deg"], found["min_transmission_angle_deg"], 0.5);
+    const json linkage = json::parse(chained.linkage({found["tau"][0], found["tau"][1]}).linkage);
+    EXPECT_NEAR(linkage["record"]["min_transmission_angle_deg"], found["record"]["min_transmission_angle_deg"], 0.5);
   }
 }
 
@@ -301,17 +307,17 @@ TEST(SessionOfAStraightLine, HasALayerToEachLinkageOfAPlaceAndMeasuresWhatIsTher
   EXPECT_EQ(explored.task["axes"]["input"]["branches"].size(), 3);
   EXPECT_EQ(explored.task["axes"]["input"]["quantity"], "point_ray");
   const auto [input, output] = explored.passing();
-  const auto found = json::parse(explored.session.linkage(input, output).linkage);
-  const json& line = found["straight_line"];
+  const auto found = explored.linkage(input, output);
+  const json& line = found["record"];
   EXPECT_EQ(found["fails"], 0);
   EXPECT_EQ(line["contact_points"], 6);
   EXPECT_EQ(line["deviation"], 0.01);
-  EXPECT_NEAR(line["point"][0].get<double>(), 3, 1e-9);
-  for (const json& at : line["profile"]) {
+  EXPECT_NEAR(line["pivots"]["point"][0].get<double>(), 3, 1e-9);
+  for (const json& at : found["profile"]) {
     if (at[0] < line["usable"]["from_s"] || at[0] > line["usable"]["to_s"]) continue;
     EXPECT_LE(std::abs(at[1].get<double>()), 0.01 * (1 + 1e-9));
   }
-  EXPECT_TRUE(json::parse(explored.session.verify(input, output))["verified"].get<bool>());
+  EXPECT_TRUE(json::parse(explored.session.verify({input, output}))["verified"].get<bool>());
 }
 
 TEST(SessionOfAStraightLine, TellsWhatEitherDriverCan) {
@@ -321,16 +327,16 @@ TEST(SessionOfAStraightLine, TellsWhatEitherDriverCan) {
       24);
   int cranks = 0, other_drivers = 0, locked = 0;
   double farthest = 0;
-  for (const double input : explored.reply.input_tau)
-    for (const double output : explored.reply.output_tau) {
-      const json found = json::parse(explored.session.linkage(input, output).linkage);
+  for (const double input : explored.input_tau())
+    for (const double output : explored.output_tau()) {
+      const json found = explored.linkage(input, output);
       if (!found["reason"].is_null()) continue;
-      farthest = std::max(farthest, found["residual"].get<double>());
-      const json &turning = found["min_transmission_angle_full_turn_deg"], &swapped = found["swapped"];
+      farthest = std::max(farthest, found["record"]["residual"].get<double>());
+      const json &turning = found["driven"]["min_transmission_angle_full_turn_deg"], &swapped = found["swapped"];
       if (!turning.is_null()) {
+        const json& lengths = found["record"]["lengths"];
         const auto [ground, crank, coupler, rocker] =
-            std::array<double, 4>{found["lengths"]["ground"], found["lengths"]["input"], found["lengths"]["coupler"],
-                                  found["lengths"]["output"]};
+            std::array<double, 4>{lengths["ground"], lengths["input"], lengths["coupler"], lengths["output"]};
         EXPECT_NEAR(turning, degrees(least_transmission_angle_full_turn({ground, crank, coupler, rocker})), 1e-9);
         ++cranks;
       }
@@ -349,20 +355,20 @@ TEST(SessionOfAStraightLine, TellsWhatEitherDriverCan) {
 }
 
 TEST(SessionOfAStraightLine, SearchesAllCasesAndTellsTheMapOfEachLinkage) {
-  Session session;
+  PageSession session;
   ASSERT_TRUE(session.set_problem(
       R"({"linkwright": 1, "task": {"kind": "straight_line", "mechanism": "four_bar", "case": "search",
       "line": {"point": [0, 0], "direction_deg": 0}, "stroke": 100, "deviation": 0.5}, "options": {"effort": 10000}})"));
   const auto best = json::parse(session.best(3));
   ASSERT_GE(best["linkages"].size(), 1U);
   for (const json& found : best["linkages"]) {
-    json own = {{"linkwright", 1}, {"task", found["straight_line"]["task"]}};
+    json own = {{"linkwright", 1}, {"task", found["record"]["task"]}};
     own["options"] = {{"deviation", 0.5}, {"measure", "strip"}};
-    if (!found["straight_line"]["window"].is_null()) own["options"]["window"] = found["straight_line"]["window"];
-    Session there;
+    if (!found["window"].is_null()) own["options"]["window"] = found["window"];
+    PageSession there;
     ASSERT_TRUE(there.set_problem(own.dump())) << there.mistakes();
-    const auto linkage = json::parse(there.linkage(found["tau"][0], found["tau"][1]).linkage);
-    EXPECT_NEAR(linkage["straight_line"]["usable_strip"]["length"].get<double>(), 100, 0.01);
+    const auto linkage = json::parse(there.linkage({found["tau"][0], found["tau"][1]}).linkage);
+    EXPECT_NEAR(linkage["record"]["usable_strip"]["length"].get<double>(), 100, 0.01);
   }
 }
 
@@ -379,8 +385,8 @@ TEST(SessionOfAStraightLine, ServesNoOtherMeasure) {
   const auto [input, output] = explored.passing();
   const auto usable = [&, u = input, v = output](std::string_view width) {
     EXPECT_TRUE(explored.session.set_problem(with_width(width)));
-    const auto found = json::parse(explored.session.linkage(u, v).linkage);
-    return found["straight_line"]["usable"]["length"].get<double>();
+    const auto found = explored.linkage(u, v);
+    return found["record"]["usable"]["length"].get<double>();
   };
   EXPECT_LT(usable("0.01"), usable("1"));
 }

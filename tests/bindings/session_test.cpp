@@ -8,7 +8,6 @@
 #include <nlohmann/json.hpp>
 #include <sstream>
 
-#include "linkage_reply.hpp"
 #include "linkwright/core/angle.hpp"
 #include "linkwright/files/linkage_file.hpp"
 
@@ -33,7 +32,7 @@ std::string with(std::string text, const std::string& from, const std::string& t
 class SessionTest : public ::testing::Test {
  protected:
   SessionTest() { EXPECT_TRUE(session.set_problem(tailgate())); }
-  Session session;
+  PageSession session;
 };
 
 TEST_F(SessionTest, ExploresTheWholeTask) {
@@ -46,10 +45,10 @@ TEST_F(SessionTest, ExploresTheWholeTask) {
   EXPECT_EQ(census["pairs"], 159'600);
   EXPECT_EQ(census["meeting"], 25'608);
   EXPECT_EQ(census["left"].back(), 25'608);
-  EXPECT_EQ(reply.input_curves->tau.size() * 3, reply.input_curves->center.size());
-  EXPECT_TRUE(std::is_sorted(reply.input_curves->tau.begin(), reply.input_curves->tau.end()));
-  ASSERT_EQ(reply.map->fails().size(), 160'000u);
-  EXPECT_EQ(std::count(reply.map->fails().begin(), reply.map->fails().end(), 0), 25'608);
+  EXPECT_EQ(reply.input_curves->coordinate.size() * 3, reply.input_curves->fixed.size());
+  EXPECT_TRUE(std::is_sorted(reply.input_curves->coordinate.begin(), reply.input_curves->coordinate.end()));
+  ASSERT_EQ(reply.map->fails.size(), 160'000u);
+  EXPECT_EQ(std::count(reply.map->fails.begin(), reply.map->fails.end(), 0), 25'608);
 }
 
 // Acceptance walk-through 8.
@@ -75,7 +74,7 @@ TEST_F(SessionTest, SaysWhichValueWouldLeaveSomething) {
 }
 
 TEST_F(SessionTest, PropertiesAndRidgesFollowTheRequest) {
-  ExploreRequest request;
+  MapRequest request;
   request.samples = 60;
   request.property = measures::longest_link.key;
   const ExploreReply reply = session.explore(request);
@@ -83,28 +82,28 @@ TEST_F(SessionTest, PropertiesAndRidgesFollowTheRequest) {
   for (std::size_t row = 0; row < 60; ++row) {
     float best = 0;
     for (std::size_t column = 0; column < 60; ++column) {
-      const std::size_t cell = map.map().index(row, column);
-      if (map.fails()[cell] == 0 && (best == 0 || map.values()[cell] < best)) best = map.values()[cell];
+      const std::size_t cell = map.region.index(row, column);
+      if (map.fails[cell] == 0 && (best == 0 || map.values[cell] < best)) best = map.values[cell];
     }
-    EXPECT_EQ(map.ridges().input.value[row], best);
+    EXPECT_EQ(map.ridges.input.value[row], best);
   }
 }
 
 TEST_F(SessionTest, AWindowIsAPartOfTheMap) {
-  ExploreRequest request;
+  MapRequest request;
   request.samples = 50;
   request.input = {0.5, 0.75};
   request.output = {0, 0.5};
   const ExploreReply reply = session.explore(request);
-  ASSERT_EQ(reply.input_tau.size(), 50u);
-  for (const double tau : reply.input_tau) EXPECT_TRUE(tau >= 1 && tau < 2);
-  for (const double tau : reply.output_tau) EXPECT_TRUE(tau >= 0 && tau < 1);
+  ASSERT_EQ(reply.map->region.input_coordinates().size(), 50u);
+  for (const double tau : reply.map->region.input_coordinates()) EXPECT_TRUE(tau >= 1 && tau < 2);
+  for (const double tau : reply.map->region.output_coordinates()) EXPECT_TRUE(tau >= 0 && tau < 1);
 }
 
 // Acceptance walk-through 4.
 TEST_F(SessionTest, TellsEverythingOfOneLinkage) {
-  const LinkageReply reply = session.linkage(1.3125, 1.1125);
-  const json found = json::parse(reply.linkage);
+  const LinkageReply reply = session.linkage({1.3125, 1.1125});
+  const json told = json::parse(reply.linkage), found = told["record"];
   EXPECT_EQ(found["type"], "triple_rocker_output");
   EXPECT_NEAR(found["min_transmission_angle_deg"], 73.5, 0.05);
   EXPECT_NEAR(found["link_ratio"], 4.7, 0.05);
@@ -112,31 +111,37 @@ TEST_F(SessionTest, TellsEverythingOfOneLinkage) {
   EXPECT_NEAR(found["lengths"]["input"], 211.05, 0.005);
   EXPECT_NEAR(found["lengths"]["coupler"], 53.92, 0.005);
   EXPECT_NEAR(found["lengths"]["output"], 255.90, 0.005);
-  EXPECT_EQ(found["fails"], 0);
-  EXPECT_TRUE(found["reason"].is_null());
+  EXPECT_EQ(told["fails"], 0);
+  EXPECT_TRUE(told["reason"].is_null());
   EXPECT_LT(found["residual"], 1e-9);
   ASSERT_EQ(reply.states.size() % state_width, 0u);
-  for (const auto& tick : found["drive"]["ticks"]) EXPECT_TRUE(tick["reached"]);
-  const auto last = found["drive"]["ticks"][3]["state"].get<std::size_t>();
+  for (const auto& tick : told["travel"]["ticks"]) EXPECT_TRUE(tick["reached"]);
+  const auto last = told["travel"]["ticks"][3]["state"].get<std::size_t>();
   EXPECT_EQ(reply.states[last * state_width + 5], -220);
   EXPECT_EQ(reply.states[last * state_width + 6], 450);
   EXPECT_NEAR(reply.states[last * state_width + 7], -82, 1e-12);
 }
 
 TEST_F(SessionTest, TheCardAgreesWithEveryCellOfTheMap) {
-  ExploreRequest request;
+  MapRequest request;
   request.samples = 40;
   const ExploreReply reply = session.explore(request);
-  const std::vector<double> tau(reply.input_tau.begin(), reply.input_tau.end());
-  const std::vector<FailureBits> fails = reply.map->fails();
-  const std::vector<std::uint8_t> types(reply.map->map().types().begin(), reply.map->map().types().end());
+  const auto coordinates = reply.map->region.input_coordinates();
+  const std::vector<double> tau(coordinates.begin(), coordinates.end());
+  const std::vector<FailureBits> fails = reply.map->fails;
+  const std::vector<std::uint8_t> types(reply.map->region.types().begin(), reply.map->region.types().end());
   for (std::size_t row = 0; row < 40; ++row)
     for (std::size_t column = 0; column < 40; ++column) {
-      const json found = json::parse(session.linkage(tau[row], tau[column]).linkage);
+      const json found = json::parse(session.linkage({tau[row], tau[column]}).linkage);
       EXPECT_EQ(found["fails"], fails[row * 40 + column]) << tau[row] << " " << tau[column];
-      EXPECT_EQ(found["type"], linkage_type_names[types[row * 40 + column]]);
-      EXPECT_EQ(found["reason"].is_null(), found["defects"]["order"] == false && found["defects"]["branch"] == false &&
-                                               found["type"] != "degenerate");
+      const json& record = found["record"];
+      const std::string_view type = linkage_type_names[types[row * 40 + column]];
+      EXPECT_EQ(record.is_null(), type == "degenerate");
+      if (!record.is_null()) {
+        EXPECT_EQ(record["type"], type);
+      }
+      EXPECT_EQ(found["reason"].is_null(),
+                !record.is_null() && record["defects"]["order"] == false && record["defects"]["branch"] == false);
     }
 }
 
@@ -144,24 +149,24 @@ TEST_F(SessionTest, ASliderIsSaidToBeOne) {
   const json task = json::parse(session.explore({}).task);
   for (const auto& mark : task["specials"]) {
     if (mark["kind"] != "center_at_infinity" && mark["kind"] != "circle_at_infinity") continue;
-    const json found = json::parse(session.linkage(mark["tau"][0], 1.1125).linkage);
-    EXPECT_EQ(found["type"], "degenerate");
+    const json found = json::parse(session.linkage({mark["tau"][0], 1.1125}).linkage);
+    EXPECT_TRUE(found["record"].is_null());
     EXPECT_EQ(found["reason"]["code"], mark["kind"] == "center_at_infinity" ? "slider_fixed" : "slider_moving");
-    EXPECT_TRUE(found["drive"].is_null());
-    EXPECT_TRUE(found["lengths"].is_null());
+    EXPECT_TRUE(found["travel"].is_null());
+    EXPECT_FALSE(found["input"]["center_homogeneous"].is_null());
     EXPECT_EQ(found["fails"], all_failures);
   }
 }
 
 TEST_F(SessionTest, TheLivePartAgreesWithTheCard) {
-  const LiveReply live = session.live(1.3125, 1.1125);
-  const DrawnCurves curves = *session.explore({}).input_curves;
-  ASSERT_EQ(live.input.size(), curves.tau.size());
-  ASSERT_EQ(live.output.size(), curves.tau.size());
+  const LiveLinks live = session.live({1.3125, 1.1125});
+  const LinkPolygon curves = *session.explore({}).input_curves;
+  ASSERT_EQ(live.input.size(), curves.coordinate.size());
+  ASSERT_EQ(live.output.size(), curves.coordinate.size());
   EXPECT_GT(std::count(live.input.begin(), live.input.end(), 0), 3);
-  for (std::size_t i = 0; i < curves.tau.size(); i += 7) {
-    EXPECT_EQ(json::parse(session.linkage(curves.tau[i], 1.1125).linkage)["fails"], live.input[i]);
-    EXPECT_EQ(json::parse(session.linkage(1.3125, curves.tau[i]).linkage)["fails"], live.output[i]);
+  for (std::size_t i = 0; i < curves.coordinate.size(); i += 7) {
+    EXPECT_EQ(json::parse(session.linkage({curves.coordinate[i], 1.1125}).linkage)["fails"], live.input[i]);
+    EXPECT_EQ(json::parse(session.linkage({1.3125, curves.coordinate[i]}).linkage)["fails"], live.output[i]);
   }
 }
 
@@ -186,35 +191,35 @@ TEST_F(SessionTest, ADegenerateTaskHasAReasonAndNoMap) {
   EXPECT_EQ(task["status"], "degenerate");
   EXPECT_EQ(task["reason"]["code"], "translations_on_circle");
   EXPECT_EQ(reply.map, nullptr);
-  EXPECT_EQ(session.linkage(0.5, 0.7).linkage, "");
+  EXPECT_EQ(session.linkage({0.5, 0.7}).linkage, "");
 }
 
 TEST_F(SessionTest, FindsImprovesVerifiesAndTraces) {
   const json best = json::parse(session.best(3))["linkages"];
   ASSERT_EQ(best.size(), 3u);
-  EXPECT_GE(best[0]["min_transmission_angle_deg"], best[2]["min_transmission_angle_deg"]);
-  const json better = json::parse(session.improve(1.3125, 1.1125));
+  EXPECT_GE(best[0]["record"]["min_transmission_angle_deg"], best[2]["record"]["min_transmission_angle_deg"]);
+  const json better = json::parse(session.improve({1.3125, 1.1125}));
   EXPECT_TRUE(better["improved"]);
-  EXPECT_TRUE(json::parse(session.verify(better["tau"][0], better["tau"][1]))["verified"]);
-  const std::vector<double> path = session.trace(1.3125, 1.1125, {0, 0}),
-                            states = session.linkage(1.3125, 1.1125).states;
-  ASSERT_EQ(path.size() / 2, states.size() / state_width);
-  EXPECT_EQ(path[0], states[5]) << "the body's origin is traced by the poses themselves";
+  EXPECT_TRUE(json::parse(session.verify({better["tau"][0], better["tau"][1]}))["verified"]);
+  const std::vector<Point> path = session.trace({1.3125, 1.1125}, {0, 0});
+  const std::vector<double> states = session.linkage({1.3125, 1.1125}).states;
+  ASSERT_EQ(path.size(), states.size() / state_width);
+  EXPECT_EQ(path[0].real(), states[5]) << "the body's origin is traced by the poses themselves";
 }
 
 TEST_F(SessionTest, WritesEveryFormat) {
-  EXPECT_NE(session.exported(1.3125, 1.1125, "svg").find("<svg"), std::string::npos);
-  EXPECT_NE(session.exported(1.3125, 1.1125, "dxf").find("COUPLER_CURVE"), std::string::npos);
-  const std::string table = session.exported(1.3125, 1.1125, "csv");
+  EXPECT_NE(session.exported({1.3125, 1.1125}, "svg").find("<svg"), std::string::npos);
+  EXPECT_NE(session.exported({1.3125, 1.1125}, "dxf").find("COUPLER_CURVE"), std::string::npos);
+  const std::string table = session.exported({1.3125, 1.1125}, "csv");
   EXPECT_GT(std::count(table.begin(), table.end(), '\n'), 361);
-  EXPECT_TRUE(read_linkage(session.exported(1.3125, 1.1125, "json")).ok());
-  EXPECT_EQ(json::parse(session.exported(1.3125, 1.1125, "result"))["linkages"].size(), 1u);
+  EXPECT_TRUE(read_linkage(session.exported({1.3125, 1.1125}, "json")).ok());
+  EXPECT_EQ(json::parse(session.exported({1.3125, 1.1125}, "result"))["linkages"].size(), 1u);
 }
 
 TEST_F(SessionTest, TellsOfALinkageAsPlatesAndPins) {
   WantedSizes sizes;
   sizes.clearance = 0.4;
-  const json plan = json::parse(session.machine(1.3125, 1.1125, sizes));
+  const json plan = json::parse(session.machine({1.3125, 1.1125}, sizes));
   EXPECT_EQ(plan["sizes"]["clearance"], 0.4);
   EXPECT_EQ(plan["sizes"]["radius"], 0);
   ASSERT_EQ(plan["layers"].size(), 4u);
@@ -225,14 +230,14 @@ TEST_F(SessionTest, TellsOfALinkageAsPlatesAndPins) {
   }
   sizes.pin = 100;
   sizes.width = 20;
-  EXPECT_EQ(json::parse(session.machine(1.3125, 1.1125, sizes))["mistakes"][0]["code"], "pin_too_wide");
+  EXPECT_EQ(json::parse(session.machine({1.3125, 1.1125}, sizes))["mistakes"][0]["code"], "pin_too_wide");
 }
 
 TEST_F(SessionTest, GivesTheBytesOfPlatesAndPins) {
   const auto bytes = [&](std::string_view format, double clearance) {
     WantedSizes sizes;
     sizes.clearance = clearance;
-    return session.machine_file(1.3125, 1.1125, format, sizes).value();
+    return session.machine_file({1.3125, 1.1125}, format, sizes).value();
   };
   const std::string stl = bytes("stl", 0.4);
   std::uint32_t triangles = 0;
@@ -243,7 +248,7 @@ TEST_F(SessionTest, GivesTheBytesOfPlatesAndPins) {
   EXPECT_NE(bytes("plates", 0.4).find("CIRCLE"), std::string::npos);
   WantedSizes negative;
   negative.width = -1;
-  EXPECT_EQ(session.machine_file(1.3125, 1.1125, "stl", negative).errors().front().code, "size_out_of_range");
+  EXPECT_EQ(session.machine_file({1.3125, 1.1125}, "stl", negative).errors().front().code, "size_out_of_range");
 }
 
 }  // namespace

@@ -46,20 +46,21 @@ struct Explored {
     reply = session.explore(request);
   }
   json sample(int cells) { return json::parse(session.sample_yields(cells)); }
-  [[nodiscard]] const std::vector<float>& values() const { return reply.map->values(); }
+  [[nodiscard]] const std::vector<float>& values() const { return reply.map->values; }
   [[nodiscard]] std::vector<std::size_t> passing() const {
     std::vector<std::size_t> cells;
-    const auto& fails = reply.map->fails();
+    const auto& fails = reply.map->fails;
     for (std::size_t cell = 0; cell < fails.size(); ++cell)
       if (fails[cell] == 0) cells.push_back(cell);
     return cells;
   }
   [[nodiscard]] MapPoint place(std::size_t cell) const {
-    const std::size_t columns = reply.output_tau.size();
-    return {reply.input_tau[cell / columns], reply.output_tau[cell % columns]};
+    const std::size_t columns = reply.map->region.output_coordinates().size();
+    return {reply.map->region.input_coordinates()[cell / columns],
+            reply.map->region.output_coordinates()[cell % columns]};
   }
-  Session session;
-  ExploreRequest request;
+  PageSession session;
+  MapRequest request;
   ExploreReply reply;
 };
 
@@ -72,7 +73,7 @@ TEST_P(EachKindOfTolerances, ACellIsWhatItsLinkageTells) {
   for (std::size_t k = 0; k < cells.size(); k += 1 + cells.size() / 5) {
     const float shown = explored.values()[cells[k]];
     const auto [input, output] = explored.place(cells[k]);
-    const json told = json::parse(explored.session.linkage(input, output).tolerance);
+    const json told = json::parse(explored.session.linkage({input, output}).tolerance);
     EXPECT_NEAR(static_cast<double>(shown) / told["error"].get<double>(), 1, 1e-4);
     EXPECT_EQ(told["samples"], 2000);
   }
@@ -83,7 +84,7 @@ TEST_P(EachKindOfTolerances, ALinkageIsTakenApart) {
   ASSERT_FALSE(explored.passing().empty());
   const auto [input, output] = explored.place(explored.passing().front());
   constexpr int bins = 11, drawn = 25;
-  const ToleranceReply reply = explored.session.tolerance(input, output, bins, drawn);
+  const ToleranceReply reply = explored.session.tolerance({input, output}, bins, drawn);
   const json told = json::parse(reply.report);
   const json& counts = told["histograms"]["counts"];
   const double assembled = 2000 * (1 - told["tolerance"]["not_assembled"].get<double>());
@@ -158,7 +159,7 @@ TEST(SessionWithTolerances, TellsTheFrontOfItsMap) {
 TEST(SessionWithTolerances, TheBestIsFoundByThem) {
   json problem = with_tolerances("straight_luffing_crane", lengths(0.01, "deviation", 0.5));
   problem["options"]["objective"] = "tolerance_error";
-  Session session;
+  PageSession session;
   ASSERT_TRUE(session.set_problem(problem.dump()));
   EXPECT_EQ(json::parse(session.best(1))["linkages"].size(), 1u);
 }
@@ -170,11 +171,11 @@ TEST(SessionWithTolerances, NothingIsLeftOfThoseTakenBack) {
   bare.erase("tolerances");
   explored.set(bare);
   explored.explore(measures::tolerance_error.key);
-  EXPECT_TRUE(explored.reply.map->map().values(measures::tolerance_error).empty());
-  EXPECT_TRUE(explored.reply.map->map().values(measures::yield).empty());
+  EXPECT_TRUE(explored.reply.map->region.values(measures::tolerance_error).empty());
+  EXPECT_TRUE(explored.reply.map->region.values(measures::yield).empty());
   const auto [input, output] = explored.place(explored.passing().front());
-  EXPECT_EQ(explored.session.linkage(input, output).tolerance, "");
-  EXPECT_EQ(explored.session.tolerance(input, output, 10, 10).report, "");
+  EXPECT_EQ(explored.session.linkage({input, output}).tolerance, "");
+  EXPECT_EQ(explored.session.tolerance({input, output}, 10, 10).report, "");
   EXPECT_EQ(explored.sample(10), json({{"done", 0}, {"total", 0}}));
   EXPECT_TRUE(json::parse(explored.session.front("min_transmission_angle", "tolerance_error"))["front"].empty());
 }

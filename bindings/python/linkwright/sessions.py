@@ -10,7 +10,6 @@ import numpy as np
 import numpy.typing as npt
 
 from . import _linkwright
-from .errors import Mistake, ProblemError
 from .records import Record, record_of
 from .tasks import ProblemLike, native
 
@@ -30,8 +29,9 @@ class LiveMap:
         defects: bits 1 order, 2 branch, 4 circuit, uint8, (rows, columns).
         failures: a bit for each requirement that a cell fails, uint16, (rows, columns); 0: it meets all.
         values: the measure that was asked for, float32, (rows, columns); angles in degrees, 0 where not defined.
-        counts: linkages by type and defect, those that meet the requirements, and what each requirement costs.
-        task: what is known of the task: pattern, condition, curve, warnings.
+        counts: linkages by type and defect, those that meet the requirements, what each requirement costs, and which alone
+            keeps all others out.
+        task: what is known of the task: pattern, condition, characteristic length, warnings.
     """
 
     input: Array
@@ -62,16 +62,15 @@ class Session:
     """
 
     def __init__(self, problem: ProblemLike) -> None:
-        self._session = _linkwright.Session()
-        self.set(problem)
+        first = native(problem)
+        self._session = _linkwright.Session(first)
+        self._problem: dict[str, Any] = json.loads(first.text())
 
     def set(self, problem: ProblemLike) -> None:
         """Puts another problem, or the same after a change, in place. With mistakes the last good one stays."""
-        text = native(problem).text()
-        mistakes = json.loads(self._session.set_problem(text))
-        if mistakes:
-            raise ProblemError([Mistake(each["code"], each["place"], each["message"]) for each in mistakes])
-        self._problem: dict[str, Any] = json.loads(text)
+        new = native(problem)
+        self._session.set(new)
+        self._problem = json.loads(new.text())
 
     @property
     def problem(self) -> dict[str, Any]:
@@ -108,29 +107,33 @@ class Session:
             input, output: part of each axis that is looked at, in shares of it.
         """
         reply = self._session.explore(samples, (input[0], input[1]), (output[0], output[1]), measure)
-        if "census" not in reply:
+        if "counts" not in reply:
             return None
-        counts, task = record_of(json.loads(reply.pop("census"))), record_of(json.loads(reply.pop("task")))
+        counts, task = record_of(reply.pop("counts")), Record(reply.pop("task"))
         for name in ("types", "meeting_types", "only", "left"):
             counts[name] = counts[name].astype(int)
         return LiveMap(**reply, counts=counts, task=task)
 
     def linkage(self, input: float, output: float) -> Record:
-        """The linkage at a place of the map, by both coordinates, with its properties as the workbench shows them."""
-        text, states, tolerance = self._session.linkage(input, output)
-        record = record_of(json.loads(text) if text else {})
-        record["states"] = states
-        if tolerance:
-            record["tolerance"] = record_of(json.loads(tolerance))
+        """The linkage at a place of the map, by both coordinates, as result files have it; nothing of that where there is none.
+
+        Beside it ``reason``, why there is none or it does not do the task (None: it does), and ``states`` of its travel:
+        float64, a row a state, the driver's turn from position 1 and the transmission angle in degrees, then the coordinates of
+        each hinge.
+        """
+        text, reason, states = self._session.linkage(input, output)
+        record = record_of(json.loads(text)["linkages"][0] if text else {})
+        record["reason"], record["states"] = reason or None, states
         return record
 
     def best(self, most: int = 1) -> list[Record]:
-        """The best linkages, at most so many, best first."""
-        return [record_of(linkage) for linkage in json.loads(self._session.best(most))["linkages"]]
+        """The best linkages, at most so many, best first, as result files have them."""
+        text = self._session.best(most)
+        return [record_of(linkage) for linkage in json.loads(text)["linkages"]] if text else []
 
     def improve(self, input: float, output: float) -> tuple[float, float]:
         """The place of the best linkage that a climb from here reaches."""
-        first, second = json.loads(self._session.improve(input, output))["tau"]
+        first, second = self._session.improve(input, output)
         return first, second
 
     def export(self, input: float, output: float, format: str = "svg") -> str:

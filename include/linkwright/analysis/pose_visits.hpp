@@ -38,8 +38,10 @@ struct PoseVisits {
 /// `poses` as in find_defects; links of positive length, or all is empty.
 [[nodiscard]] PoseVisits pose_visits(const FourBar& four_bar, std::span<const PrescribedPose> poses);
 
-/// Why the drive does not do the task: circuit_defect {from, to}, branch_defect {from, to} (poses, from 1, on either
-/// side of the gap), order_defect {order}, direction_defect, change_point_defect. Nothing without defects.
-[[nodiscard]] std::optional<Notice> defect_notice(Defects defects, const PoseVisits& visits);
+/// Why the drive does not do the task: circuit_defect {from, to}, branch_defect {from, to} (poses on either side of the
+/// gap), order_defect {order}, direction_defect, change_point_defect. Nothing without defects. `numbers`: what the
+/// poses are called; none: counted from 1.
+[[nodiscard]] std::optional<Notice> defect_notice(Defects defects, const PoseVisits& visits,
+                                                  std::span<const int> numbers = {});
 
 }  // namespace linkwright

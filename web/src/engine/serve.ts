@@ -1,12 +1,11 @@
 // Answers requests from an engine session: the worker without the worker.
+import {linkage_of, ranked_of, type LinkageReply, type RankedReply} from "./adapter";
 import type {LinkwrightModule, MapArrays, Session} from "./module";
-import {state_width} from "./protocol";
 import {Refusal} from "./refusal";
 import type {
   Census,
   DyadPolygon,
   Kind,
-  Linkage,
   MachinePlan,
   MapAnswer,
   Mistake,
@@ -74,7 +73,7 @@ export class Engine {
       linkage: (r) => this.linkage(r),
       live: (r) => this.live(r),
       halo: (r) => this.halo(r),
-      best: (r) => JSON.parse(this.holding(r.problem).best(r.most)),
+      best: (r) => this.best(r.problem, r.most),
       search: (r) => this.search(r, tell),
       improve: (r) => JSON.parse(this.holding(r.problem).improve(...r.tau)),
       verify: (r) => JSON.parse(this.holding(r.problem).verify(...r.tau)),
@@ -116,11 +115,18 @@ export class Engine {
     const start = now();
     const found = this.holding(problem).linkage(...tau);
     if (!found.linkage) throw new Refusal([no_dyads]);
-    const linkage = JSON.parse(found.linkage) as Linkage;
-    if (linkage.drive)
-      linkage.drive = {...linkage.drive, width: linkage.drive.width ?? state_width, states: copied(found.states)};
-    linkage.tolerance = found.tolerance ? (JSON.parse(found.tolerance) as ToleranceFigures) : null;
-    return {linkage, engine_ms: now() - start};
+    const linkage = linkage_of(JSON.parse(found.linkage) as LinkageReply),
+      drive = linkage.drive && {...linkage.drive, states: copied(found.states)};
+    const tolerance = found.tolerance ? (JSON.parse(found.tolerance) as ToleranceFigures) : null;
+    return {linkage: {...linkage, drive, tolerance}, engine_ms: now() - start};
+  }
+
+  private best(problem: string, most: number): Replies["best"] {
+    const {linkages, notices} = JSON.parse(this.holding(problem).best(most)) as {
+      linkages: RankedReply[];
+      notices: Notice[];
+    };
+    return {linkages: linkages.map(ranked_of), notices};
   }
 
   private tolerance({problem, tau, bins, drawn}: Requests["tolerance"]): Replies["tolerance"] {
@@ -148,7 +154,7 @@ export class Engine {
   private search({rounds, most}: Requests["search"], tell: (tidings: Tidings["search"]) => void): Replies["search"] {
     let found: Replies["search"] = {linkages: [], notices: []};
     for (const [round, problem] of rounds.entries()) {
-      found = JSON.parse(this.holding(problem).best(most));
+      found = this.best(problem, most);
       tell({rounds: round + 1, found});
     }
     return found;

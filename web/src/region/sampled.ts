@@ -3,7 +3,7 @@ import type {MapAnswer} from "../engine/protocol";
 
 const coarsest = 16; // cells a side
 
-/** 1 where a cell is among the first `done` that the engine samples (bindings/wasm/yield_map.cpp): of those that fail
+/** 1 where a cell is among the first `done` that the engine samples (src/solve/yield_map.cpp): of those that fail
  *  nothing but `ignored` (bits) every 16th row and column, then every 8th, and at last all. */
 export function sampled_cells(
   {rows, columns, fails}: Pick<MapAnswer, "rows" | "columns" | "fails">,

@@ -1,4 +1,4 @@
-// What the engine says of an attitude (bindings/wasm/attitude_reply.hpp).
+// What the engine says of an attitude (bindings/wasm/attitude_reply.cpp).
 import type {Converted} from "../../orientation/orientation";
 import type {Rows, Vec3} from "../../sphere/vectors";
 

@@ -1,4 +1,4 @@
-// What the engine says of linkages that are the task (bindings/wasm/opened_linkage.hpp).
+// What the engine says of linkages that are the task (bindings/wasm/opened_linkage.cpp).
 declare module "../../engine/protocol" {
   interface Linkage {
     /** Of a linkage that is the task: by row of its drive, null at dead points. */

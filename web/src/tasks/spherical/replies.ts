@@ -1,4 +1,4 @@
-// What the engine says of spherical linkages, beside what it says of every linkage (bindings/wasm/spherical_reply.hpp).
+// What the engine says of spherical linkages, beside what it says of every linkage (engine/adapter.ts).
 import type {Vec3} from "../../sphere/vectors";
 
 declare module "../../engine/protocol" {

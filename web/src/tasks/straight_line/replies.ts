@@ -1,4 +1,4 @@
-// What the engine says of linkages with a point that runs straight (bindings/wasm/straight_line_reply.hpp).
+// What the engine says of linkages with a point that runs straight (engine/adapter.ts).
 import type {LinkageType, Point} from "../../engine/protocol";
 import type {Range} from "../../state/task";
 import type {StraightLineTask} from "./task";

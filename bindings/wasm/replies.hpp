@@ -1,0 +1,97 @@
+#pragma once
+
+#include <functional>
+#include <optional>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "files/json/json_writer.hpp"
+#include "linkwright/core/result.hpp"
+#include "linkwright/files/six_bar_file.hpp"
+#include "linkwright/machine/machine.hpp"
+#include "linkwright/solve/session.hpp"
+
+// What the page gets, as JSON text and columns of numbers (web/src/engine/protocol.ts, web/src/engine/adapter.ts).
+namespace linkwright::wasm {
+
+/// TaskAnswer without its arrays, after a map was asked for.
+[[nodiscard]] std::string task_reply(Session& session);
+/// Census.
+[[nodiscard]] std::string census_reply(const ColouredMap& map);
+
+/// A linkage, the object of the result file with what else the page shows of it, and its drive.
+struct LinkageReply {
+  std::string linkage;  ///< JSON text; empty: the task has no map
+  /// Rows of state_columns; of a six-bar followed by x and y of each hinge, of spherical four-bars by the input's and
+  /// the output's moving axis and the coupler's turn from position 1 as a quaternion (w, x, y, z).
+  std::vector<double> states;
+  std::string tolerance;  ///< JSON text; empty without tolerances and at a dead point
+};
+inline constexpr std::size_t state_width = 13, six_bar_state_width = state_width + 2 * SixBar::joint_count,
+                             spherical_state_width = state_width + 10;
+[[nodiscard]] LinkageReply linkage_reply(Session& session, MapPoint place);
+/// `record`: the object of the result file, empty for none. `write_more`: members of its own.
+[[nodiscard]] LinkageReply linkage_reply(const PickedLinkage& picked, std::string_view record,
+                                         const std::function<void(JsonWriter&)>& write_more);
+/// Members of the kind of linkage.
+void write_of_linkage(JsonWriter& json, const SixBar& six_bar);
+void write_of_linkage(JsonWriter& json, const LinkAngles& angles);
+
+/// The best of the usual map, and what its list is to be read with.
+[[nodiscard]] std::string best_reply(const Session& session, int most);
+
+/// The linkage of a problem of the page whose task is one, `{"kind": "linkage", "mechanism", "file": what a linkage
+/// file has}`, or its mistakes; nothing where the task is another.
+[[nodiscard]] std::optional<Result<AnyStoredLinkage>> opened_linkage(std::string_view text);
+/// It and its drive over the whole travel, with `rates`: by state how its bodies and the point move (Rates of the
+/// page).
+[[nodiscard]] LinkageReply opened_reply(const AnyStoredLinkage& linkage);
+/// The path of a point of its body (as it lies in position 1) over that travel; about a centre none.
+[[nodiscard]] std::vector<Point> opened_trace(const AnyStoredLinkage& linkage, Point traced);
+
+/// What tolerances do to one linkage, and some of the linkages made.
+struct ToleranceReply {
+  std::string report;  ///< JSON text: ToleranceAnswer of the protocol; empty at a dead point
+  /// By sample, position, joint: x and y, on the sphere x, y, z. Joints: of four-bars input's fixed and moving pivot,
+  /// output's moving and fixed pivot, in the plane and the body's origin; of six-bars their seven hinges and the body's
+  /// origin.
+  std::vector<double> drawn;
+};
+/// `drawn`: how many samples; of a straight line at its ends and in the middle. The turning length of the tolerances is
+/// set.
+[[nodiscard]] ToleranceReply tolerance_reply(const LinkageOutput& output, const Tolerances& tolerances, int bins,
+                                             int drawn);
+/// The same before it is looked at closely: `tolerance` of a result's linkages, by few samples; empty at a dead point.
+[[nodiscard]] std::string tolerance_at_a_glance(const LinkageOutput& output, const Tolerances& tolerances);
+
+/// JSON text: `{"mistakes"}`, or `{"sizes", "layers", "over", "crossings"}` with the sizes in force, `[body, layer]`
+/// from the ground on, and what runs into what: `{"body", "pin" or "other", "from_deg", "to_deg"}`, driver angles from
+/// position 1, positive as the positions are met.
+[[nodiscard]] std::string machine_reply(const Result<Machine>& made);
+
+/// One instant of a planar four-bar as the page draws it: of {"pivots": {…}} as linkage files have them, the object
+/// `instant` of an analysis, and beside it `circling_points` and `centering_points`, lists of polylines [[x, y], …]
+/// about the linkage up to ten times its size. In place of it {"mistakes": […]}.
+[[nodiscard]] std::string instant_reply(std::string_view text);
+
+/// What the page shows of an attitude, which is no linkage and has no session: JSON text to JSON text, each an object
+/// with the reports of `linkwright attitude` as they are written to files. In place of them {"mistakes": […]}, their
+/// places `task.…`.
+///
+/// `of` "orientation": {"orientation", "turn"} → `convert`, the report on it. An orientation is one of
+/// orientation_file.hpp; the optional `turn` {"axis", "angle_deg"} is made after it, about axes that it carries along.
+///
+/// `of` "attitude": these, and "sequence", "turning", "vector" (to be turned), "from" {"orientation", "translation"}
+/// and "translation" (the first pose, and where the body's origin is in the second), "rates_deg" (of the sequence's
+/// angles), "at" {"turns" in [0, 3], "rotation", "screw" in [0, 1]}: how far each is played. To it `convert` and
+///
+/// - `turns`: `angles_deg` (as given, where the orientation is given by this sequence), `given`, `locked`, `near_lock`,
+///   `lock_distance`, `determined` as in `convert`, `frames` (after each turn), `axes` (of the turns, as they stand at
+///   last), `now` {`frame`, `axes`};
+/// - `rotation`: `path` (of the vector), `now` {`frame`, `vector`};
+/// - `screw` (report), `motion` {`path` (of the body's origin), `from`, `now` (poses, 4×4)};
+/// - `rates` (report), `rate_matrix`.
+[[nodiscard]] std::string attitude_reply(std::string_view of, std::string_view text);
+
+}  // namespace linkwright::wasm
