@@ -25,6 +25,7 @@ RANKS = (
     ("mechanism",),
     ("analysis",),
     ("region",),
+    ("fields",),
     ("function",),
     ("planar", "spherical", "infinitesimal", "robust"),
     ("straight_line",),

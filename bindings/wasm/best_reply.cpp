@@ -2,7 +2,8 @@
 #include <array>
 #include <cmath>
 
-#include "files/six_bar/six_bar_kind.hpp"
+#include "files/fields/field_writer.hpp"
+#include "files/problem_fields.hpp"
 #include "linkwright/planar/chain_family.hpp"
 #include "replies.hpp"
 #include "reply_json.hpp"
@@ -32,7 +33,7 @@ void write_where(JsonWriter& json, const SixBarAnswer& answer, const SixBarSolut
   task.chain = found.chain;
   write_place(json, ChainFamily::of(task)->point_of(found.member));
   json.key("chain");
-  write_chain(json, found.chain);
+  write_fields(json, found.chain);
 }
 
 // The map of a linkage's own case, which is wide enough for it.

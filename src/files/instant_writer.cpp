@@ -1,10 +1,12 @@
 #include "instant_writer.hpp"
 
+#include "files/fields/field_writer.hpp"
 #include "linkwright/core/angle.hpp"
 #include "linkwright/files/instant_file.hpp"
 #include "linkwright/files/problem_file.hpp"
+#include "problem_fields.hpp"
+#include "problem_writer.hpp"
 #include "result_writer.hpp"
-#include "task_writer.hpp"
 
 namespace linkwright {
 namespace {
@@ -158,7 +160,7 @@ std::string write_instant(const PrescribedInstant& prescribed) {
     json.member("title", std::string_view(prescribed.title));
     json.member("length_unit", std::string_view(prescribed.length_unit));
     json.key("pose");
-    write_pose(json, prescribed.pose);
+    write_fields(json, prescribed.pose);
     json.key("instant");
     write_instant(json, prescribed.analysis);
     json.end_object();

@@ -4,12 +4,11 @@
 #include <optional>
 
 #include "file_header.hpp"
-#include "files/four_bar/pose_reader.hpp"
+#include "files/fields/field_reader.hpp"
 #include "files/json/json_document.hpp"
 #include "files/json/json_object.hpp"
 #include "files/json/mistakes.hpp"
 #include "files/six_bar/six_bar_reader.hpp"
-#include "files/spherical/orientation_list_reader.hpp"
 #include "files/spherical/spherical_reader.hpp"
 #include "linkwright/analysis/linkage_type.hpp"
 #include "linkwright/analysis/position.hpp"
@@ -20,6 +19,7 @@
 #include "linkwright/files/problem_file.hpp"
 #include "linkwright/files/result_file.hpp"
 #include "linkwright/files/six_bar_file.hpp"
+#include "problem_fields.hpp"
 #include "vocabulary.hpp"
 
 namespace linkwright {
@@ -192,7 +192,8 @@ void read_linkage_poses(const JsonValue& value, Mistakes& mistakes, std::vector<
     return;
   }
   value.for_each({"poses", "a list of poses"}, [&](const JsonValue& item) {
-    if (auto pose = read_pose(item, mistakes, OtherMembers::ignored)) poses.push_back(*std::move(pose));
+    if (auto pose = read_fields<PrescribedPose>(item, mistakes, OtherMembers::ignored))
+      poses.push_back(*std::move(pose));
   });
 }
 
@@ -204,8 +205,9 @@ void read_linkage_orientations(const JsonObject& around, Mistakes& mistakes, Sur
                    {{"most", max_poses}});
     return;
   }
-  if (!read_orientations(around, mistakes, UnknownMembers::ignored, surroundings.orientations))
-    surroundings.orientations.clear();
+  surroundings.orientations =
+      read_fields<std::vector<PrescribedOrientation>>(*found, mistakes, OtherMembers::ignored, orientation_list())
+          .value_or(std::vector<PrescribedOrientation>());
 }
 
 void read_positions(const JsonObject& around, Mistakes& mistakes, Surroundings& surroundings) {

@@ -1,10 +1,12 @@
 #include <functional>
 
+#include "files/fields/field_writer.hpp"
 #include "files/json/json_writer.hpp"
 #include "files/six_bar/six_bar_writer.hpp"
 #include "linkwright/files/linkage_file.hpp"
 #include "linkwright/files/problem_file.hpp"
 #include "linkwright/files/six_bar_file.hpp"
+#include "problem_fields.hpp"
 #include "problem_writer.hpp"
 
 namespace linkwright {
@@ -21,9 +23,7 @@ std::string written(const Stored& linkage, const std::function<void(JsonWriter&)
     json.member("title", std::string_view(linkage.title));
     json.member("length_unit", std::string_view(linkage.length_unit));
     json.key("poses");
-    json.begin_list();
-    for (const PrescribedPose& pose : linkage.poses) write_pose(json, pose);
-    json.end_list();
+    write_fields(json, linkage.poses, on_lines);
     json.key("linkage");
     linkage.record.empty() ? without_record(json) : json.json(linkage.record);
     json.end_object();

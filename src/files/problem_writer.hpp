@@ -4,22 +4,18 @@
 
 #include "files/json/json_writer.hpp"
 #include "linkwright/analysis/defects.hpp"
-#include "linkwright/files/problem_file.hpp"
-#include "task_writer.hpp"
+#include "linkwright/mechanism/tracing_four_bar.hpp"
+#include "linkwright/region/linkage_class.hpp"
 
 namespace linkwright {
 
-/// The problem as one JSON object, every default written out.
-void write_problem(JsonWriter& json, const Problem& problem);
-
 /// Those of the class as one object, `respect_direction` last.
-void write_requirements(JsonWriter& json, const Requirements& requirements, const LinkageClass& asked);
+void write_requirements(JsonWriter& json, Requirements requirements, const LinkageClass& asked);
 
-/// `{"axis": [x, y, z], "half_angle_deg": …}`.
-void write_cone(JsonWriter& json, const Cone& cone);
-
-/// `{"x": [low, high], "y": [low, high]}`.
-void write_box(JsonWriter& json, const Box& box);
+/// `[x, y]`, on one line.
+void write_point(JsonWriter& json, Point point);
+/// `[low, high]`, on one line.
+void write_interval(JsonWriter& json, double low, double high);
 
 /// `{"ground": …, "input": …, "coupler": …, "output": …}`.
 void write_lengths(JsonWriter& json, const LinkLengths& lengths);

@@ -4,14 +4,15 @@
 #include <cmath>
 #include <span>
 
+#include "files/fields/field_writer.hpp"
 #include "files/json/json_writer.hpp"
 #include "kinds.hpp"
 #include "linkwright/core/angle.hpp"
 #include "linkwright/files/number_text.hpp"
 #include "linkwright/files/result_file.hpp"
+#include "problem_fields.hpp"
 #include "problem_writer.hpp"
 #include "region_arrays.hpp"
-#include "task_writer.hpp"
 
 namespace linkwright {
 namespace {
@@ -199,7 +200,7 @@ void write_notices(JsonWriter& json, const std::vector<Notice>& notices) {
 void write_relaxed_value(JsonWriter& json, const Relaxation& relaxation) {
   json.key("value");
   if (relaxation.box)
-    write_box(json, *relaxation.box);
+    write_fields(json, *relaxation.box);
   else if (relaxation.value)
     json.value(criterion(relaxation.requirement).is_angle() ? degrees_for_files(*relaxation.value) : *relaxation.value);
   else
@@ -242,7 +243,7 @@ void write_result(const TextSink& sink, const Problem& problem, const Answer& an
   json.begin_object();
   json.member("linkwright", file_version);
   json.key("problem");
-  write_problem(json, as_solved(problem, findings(answer)));
+  write_fields(json, as_solved(problem, findings(answer)));
   std::visit([&](const auto& of_kind) { write_answer(json, problem, of_kind, with_region); }, answer);
   json.end_object();
 }

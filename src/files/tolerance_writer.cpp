@@ -1,11 +1,14 @@
 #include "tolerance_writer.hpp"
 
 #include "file_header.hpp"
+#include "files/fields/field_writer.hpp"
 #include "linkwright/core/angle.hpp"
 #include "linkwright/files/number_text.hpp"
+#include "linkwright/files/problem_file.hpp"
 #include "linkwright/files/tolerance_file.hpp"
+#include "problem_fields.hpp"
+#include "problem_writer.hpp"
 #include "result_writer.hpp"
-#include "task_writer.hpp"
 
 namespace linkwright {
 namespace {
@@ -13,35 +16,6 @@ namespace {
 using Layout = JsonWriter::Layout;
 
 double readable(double value, bool is_angle) { return is_angle ? degrees_for_files(value) : value; }
-
-void write_lengths_of(JsonWriter& json, const LengthTolerances& of) {
-  json.key("length");
-  if (of == LengthTolerances::all(of.input)) return json.value(of.input);
-  json.begin_object(Layout::one_line);
-  json.member("input", of.input);
-  json.member("coupler", of.coupler);
-  json.member("output", of.output);
-  json.member("ground_pivots", of.ground_pivots);
-  json.member("point", of.point);
-  json.end_object();
-}
-
-void write_limit(JsonWriter& json, const ToleranceLimit& limit) {
-  json.key("limit");
-  json.begin_object(Layout::one_line);
-  switch (limit.kind) {
-    case ToleranceLimit::Kind::position:
-      json.member("position", limit.value);
-      break;
-    case ToleranceLimit::Kind::angle:
-      json.member("angle_deg", degrees_for_files(limit.value));
-      break;
-    case ToleranceLimit::Kind::deviation:
-      json.member("deviation", limit.value);
-      break;
-  }
-  json.end_object();
-}
 
 void write_half_tolerance(JsonWriter& json, double tolerance, bool is_angle) {
   json.member(is_angle ? "tolerance_deg" : "tolerance", readable(tolerance, is_angle));
@@ -87,26 +61,6 @@ void write_yield(JsonWriter& json, const SampledErrors& sampled) {
 
 }  // namespace
 
-void write_tolerances(JsonWriter& json, const Tolerances& tolerances) {
-  json.begin_object();
-  if (tolerances.length != LengthTolerances{}) write_lengths_of(json, tolerances.length);
-  if (tolerances.clearance > 0) json.member("clearance", tolerances.clearance);
-  if (tolerances.driver > 0) json.member("driver_deg", degrees_for_files(tolerances.driver));
-  if (tolerances.link_angle > 0) json.member("link_angle_deg", degrees_for_files(tolerances.link_angle));
-  json.member("distribution", name(tolerances.distribution));
-  if (tolerances.turning_length) json.member("turning_length", *tolerances.turning_length);
-  if (tolerances.limit) write_limit(json, *tolerances.limit);
-  if (tolerances.cost_exponent) {
-    json.key("cost");
-    json.begin_object(Layout::one_line);
-    json.member("exponent", *tolerances.cost_exponent);
-    json.end_object();
-  }
-  json.member("samples", tolerances.samples);
-  json.member("seed", static_cast<std::int64_t>(tolerances.seed));
-  json.end_object();
-}
-
 void write_tolerance_report(JsonWriter& json, const ToleranceReport& report, const Tolerances& tolerances) {
   const auto number = [&](std::string_view key, double error) { json.member(key, readable(error, report.of_angle)); };
   json.begin_object();
@@ -148,7 +102,7 @@ std::string write_tolerance_study(const ToleranceStudy& study) {
     json.member("title", std::string_view(study.title));
     json.member("length_unit", std::string_view(study.length_unit));
     json.key("tolerances");
-    write_tolerances(json, study.tolerances);
+    write_fields(json, study.tolerances);
     json.key("tolerance");
     write_tolerance_report(json, study.report, study.tolerances);
     json.end_object();

@@ -9,9 +9,6 @@
 
 namespace linkwright {
 
-/// `"tolerances"` of a problem file.
-void write_tolerances(JsonWriter& json, const Tolerances& tolerances);
-
 /// `"tolerance"` of a linkage: what tolerances do to it.
 void write_tolerance_report(JsonWriter& json, const ToleranceReport& report, const Tolerances& tolerances);
 

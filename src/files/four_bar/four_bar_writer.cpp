@@ -3,10 +3,11 @@
 #include <algorithm>
 #include <cmath>
 
-#include "files/function/wanted_function_writer.hpp"
+#include "files/fields/field_writer.hpp"
+#include "files/function/function_error_writer.hpp"
+#include "files/problem_fields.hpp"
 #include "files/problem_writer.hpp"
 #include "files/result_writer.hpp"
-#include "files/task_writer.hpp"
 #include "linkwright/core/angle.hpp"
 
 namespace linkwright {
@@ -65,7 +66,9 @@ void write_notes(JsonWriter& json, const FourBarNotes& notes) {
   notes.listed.write(json);
   if (notes.defect) json.member("reason", std::string_view(notes.defect->message));
   if (notes.free_value) json.member("free_value", *notes.free_value);
-  if (!notes.poses.empty()) write_poses(json, notes.poses);
+  if (notes.poses.empty()) return;
+  json.key("poses");
+  write_fields(json, notes.poses, on_lines);
 }
 
 }  // namespace

@@ -8,19 +8,11 @@
 #include <string>
 #include <string_view>
 
+#include "fields/field_visitor.hpp"
 #include "linkwright/algebra/point.hpp"
 #include "mistakes.hpp"
 
 namespace linkwright {
-
-/// What belongs in a place of a file: the name by which others word it, and in English.
-struct Wanted {
-  Wanted(std::string_view its_name, std::string_view in_english) : name(its_name), words(in_english) {}
-  /// Something to copy, the same in all languages.
-  Wanted(std::string_view example) : name(example), words(example) {}
-
-  std::string_view name, words;
-};
 
 /// A value of the file being read, where it stands, and where its mistakes go. Every `as_…` gives the value, or notes a
 /// mistake and gives nothing.

@@ -4,8 +4,8 @@
 
 #include "files/json/json_writer.hpp"
 #include "files/position_error_writer.hpp"
+#include "files/problem_writer.hpp"
 #include "files/six_bar/six_bar_kind.hpp"
-#include "files/task_writer.hpp"
 #include "linkwright/core/angle.hpp"
 #include "linkwright/files/problem_file.hpp"
 #include "linkwright/files/six_bar_file.hpp"

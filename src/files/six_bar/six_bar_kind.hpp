@@ -4,24 +4,11 @@
 
 #include "files/axis_label.hpp"
 #include "files/json/json_writer.hpp"
-#include "files/task_form.hpp"
 #include "linkwright/files/six_bar_file.hpp"
 #include "linkwright/synthesis/answer.hpp"
 
 // Six-bars in files: their tasks, and what is found for them.
 namespace linkwright {
-
-[[nodiscard]] Task read_six_bar_task(const JsonValue& value, const std::optional<Box>& options_box, Mistakes& mistakes);
-inline constexpr TaskForm motion_by_six_bar{"motion", "six_bar", read_six_bar_task};
-
-/// `{"a": [x, y], "b": [x, y], "d": [x, y], "elbow": [four signs]}`, the elbow optional; nothing, with mistakes, where
-/// it is something else.
-[[nodiscard]] std::optional<ThreeLinkChain> read_chain(const JsonValue& value, Mistakes& mistakes);
-
-/// The members of the object `task`.
-void write_of_kind(JsonWriter& json, const SixBarTask& task);
-/// The object `chain` of a task.
-void write_chain(JsonWriter& json, const ThreeLinkChain& chain);
 
 /// As task_label() and short_task_label().
 [[nodiscard]] std::string label_of(const SixBarTask& task);

@@ -5,6 +5,8 @@
 #include <nlohmann/json.hpp>
 #include <vector>
 
+#include "files/fields/field_reader.hpp"
+#include "files/problem_fields.hpp"
 #include "files/vocabulary.hpp"
 #include "linkwright/core/count_text.hpp"
 #include "linkwright/files/nearest_name.hpp"
@@ -90,7 +92,7 @@ std::optional<StoredSixBar> read_six_bar(const JsonValue& value, Mistakes& mista
   const JsonObject element(value, mistakes, {});
   const auto written_chain =
       element.require("chain", {"chain", "the guiding chain {\"a\": [x, y], \"b\": [x, y], \"d\": [x, y]}"});
-  const auto chain = written_chain ? read_chain(*written_chain, mistakes) : std::nullopt;
+  const auto chain = written_chain ? read_fields<ThreeLinkChain>(*written_chain, mistakes) : std::nullopt;
   const auto links = read_added_links(element, mistakes);
   if (!chain || !links) return std::nullopt;
   const auto row = six_bar_row({(*links)[0].between, (*links)[1].between});

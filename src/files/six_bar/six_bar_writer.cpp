@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "files/fields/field_writer.hpp"
+#include "files/problem_fields.hpp"
 #include "files/problem_writer.hpp"
 #include "files/result_writer.hpp"
 #include "files/six_bar/six_bar_kind.hpp"
@@ -69,7 +71,8 @@ void write_make_up(JsonWriter& json, const SixBar& six_bar, const std::array<int
   const auto topology = six_bar.topology();
   topology ? json.value(name(*topology)) : json.null();
   json.key("chain");
-  write_chain(json, {six_bar.at(SixBar::a), six_bar.at(SixBar::b), six_bar.at(SixBar::d), assembly_mode});
+  write_fields(json,
+               ThreeLinkChain{six_bar.at(SixBar::a), six_bar.at(SixBar::b), six_bar.at(SixBar::d), assembly_mode});
   json.key("added");
   write_added(json, six_bar, coordinates);
   json.key("joints");

@@ -1,10 +1,12 @@
 #include <functional>
 
 #include "files/attitude/space_writer.hpp"
+#include "files/fields/field_writer.hpp"
 #include "files/json/json_writer.hpp"
 #include "files/position_error_writer.hpp"
+#include "files/problem_fields.hpp"
+#include "files/problem_writer.hpp"
 #include "files/spherical/spherical_writer.hpp"
-#include "files/task_writer.hpp"
 #include "linkwright/core/angle.hpp"
 #include "linkwright/files/problem_file.hpp"
 #include "linkwright/files/spherical_file.hpp"
@@ -54,7 +56,8 @@ std::string write_linkage(const StoredSphericalFourBar& linkage) {
     json.begin_object();
     json.member("linkwright", file_version);
     json.member("title", std::string_view(linkage.title));
-    write_orientations(json, linkage.orientations);
+    json.key("orientations");
+    write_fields(json, linkage.orientations, on_lines);
     json.key("linkage");
     if (!linkage.record.empty()) {
       json.json(linkage.record);

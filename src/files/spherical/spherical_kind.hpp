@@ -4,23 +4,11 @@
 
 #include "files/axis_label.hpp"
 #include "files/json/json_writer.hpp"
-#include "files/task_form.hpp"
 #include "linkwright/files/spherical_file.hpp"
 #include "linkwright/synthesis/answer.hpp"
 
 // Spherical four-bars in files: their tasks, and what is found for them.
 namespace linkwright {
-
-[[nodiscard]] Task read_spherical_motion(const JsonValue& value, const std::optional<Box>& options_box,
-                                         Mistakes& mistakes);
-inline constexpr TaskForm motion_by_spherical_four_bar{"motion", "spherical_four_bar", read_spherical_motion};
-[[nodiscard]] Task read_spherical_function(const JsonValue& value, const std::optional<Box>& options_box,
-                                           Mistakes& mistakes);
-inline constexpr TaskForm function_by_spherical_four_bar{"function", "spherical_four_bar", read_spherical_function};
-
-/// The members of the object `task`.
-void write_of_kind(JsonWriter& json, const SphericalMotionTask& task);
-void write_of_kind(JsonWriter& json, const SphericalFunctionTask& task);
 
 /// As task_label() and short_task_label().
 [[nodiscard]] std::string label_of(const SphericalMotionTask& task);

@@ -1,9 +1,9 @@
 #include "spherical_writer.hpp"
 
-#include <array>
-
 #include "files/attitude/space_writer.hpp"
-#include "files/function/wanted_function_writer.hpp"
+#include "files/fields/field_writer.hpp"
+#include "files/function/function_error_writer.hpp"
+#include "files/problem_fields.hpp"
 #include "files/problem_writer.hpp"
 #include "files/result_writer.hpp"
 #include "linkwright/core/angle.hpp"
@@ -14,21 +14,10 @@ namespace {
 
 using Layout = JsonWriter::Layout;
 
-constexpr std::array<std::string_view, 4> derivative_keys = {"angular_velocity", "angular_acceleration", "angular_jerk",
-                                                             "angular_snap"};
-
 /// Over the task; null where a defect leaves it undefined.
 void write_transmission(JsonWriter& json, const DefectReport& report) {
   json.key("min_transmission_angle_deg");
   report.defects.none() ? json.value(degrees(report.min_transmission_angle)) : json.null();
-}
-
-/// In the form in which it was given; otherwise as a quaternion.
-void write_given(JsonWriter& json, const GivenOrientation& there) {
-  if (there.form().empty())
-    write_numbers(json, "quaternion", {there.w(), there.v().x, there.v().y, there.v().z});
-  else
-    json.json(there.form());
 }
 
 void write_report(JsonWriter& json, const DefectReport& report) {
@@ -38,19 +27,6 @@ void write_report(JsonWriter& json, const DefectReport& report) {
 }
 
 }  // namespace
-
-void write_orientations(JsonWriter& json, const std::vector<PrescribedOrientation>& orientations) {
-  json.key("orientations");
-  json.begin_list();
-  for (const PrescribedOrientation& there : orientations) {
-    json.begin_object(Layout::one_line);
-    write_given(json, there.orientation);
-    for (std::size_t m = 0; m < there.derivatives.size(); ++m)
-      write_vector(json, derivative_keys[m], there.derivatives[m]);
-    json.end_object();
-  }
-  json.end_list();
-}
 
 void write_angles(JsonWriter& json, std::string_view key, const LinkAngles& angles) {
   json.key(key);
@@ -123,7 +99,10 @@ void write_spherical_four_bar(JsonWriter& json, const SphericalSolution& found, 
   json.member("verified_by_driving", found.verified_by_driving);
   notes.listed.write(json);
   if (notes.free_value) json.member("free_value", *notes.free_value);
-  if (!notes.orientations.empty()) write_orientations(json, notes.orientations);
+  if (!notes.orientations.empty()) {
+    json.key("orientations");
+    write_fields(json, notes.orientations, on_lines);
+  }
   json.key("swapped");
   json.begin_object();
   write_report(json, found.swapped);

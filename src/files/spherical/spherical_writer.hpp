@@ -9,8 +9,6 @@
 
 namespace linkwright {
 
-/// The member `orientations`.
-void write_orientations(JsonWriter& json, const std::vector<PrescribedOrientation>& orientations);
 /// `{"ground": …, "input": …, "coupler": …, "output": …}`, degrees.
 void write_angles(JsonWriter& json, std::string_view key, const LinkAngles& angles);
 /// `{"moving_axis": …, "fixed_axis": …, …}`.

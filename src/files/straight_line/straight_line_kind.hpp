@@ -4,19 +4,11 @@
 
 #include "files/axis_label.hpp"
 #include "files/json/json_writer.hpp"
-#include "files/task_form.hpp"
 #include "linkwright/files/linkage_file.hpp"
 #include "linkwright/synthesis/answer.hpp"
 
 // Straight lines in files: their tasks, and what is found for them.
 namespace linkwright {
-
-[[nodiscard]] Task read_straight_line(const JsonValue& value, const std::optional<Box>& options_box,
-                                      Mistakes& mistakes);
-inline constexpr TaskForm straight_line_by_four_bar{"straight_line", "four_bar", read_straight_line};
-
-/// The members of the object `task`.
-void write_of_kind(JsonWriter& json, const StraightLineTask& task);
 
 /// As task_label() and short_task_label().
 [[nodiscard]] std::string label_of(const StraightLineTask& task);

@@ -1,11 +1,12 @@
 #include <array>
 #include <cmath>
 
+#include "files/fields/field_writer.hpp"
 #include "files/instant_writer.hpp"
+#include "files/problem_fields.hpp"
 #include "files/problem_writer.hpp"
 #include "files/result_writer.hpp"
 #include "files/straight_line/straight_line_kind.hpp"
-#include "files/task_writer.hpp"
 #include "files/tolerance_writer.hpp"
 #include "linkwright/analysis/position.hpp"
 #include "linkwright/core/angle.hpp"
@@ -16,81 +17,7 @@ namespace linkwright {
 namespace {
 
 using Layout = JsonWriter::Layout;
-using namespace straight_cases;
-
-void write_ground_pivots(JsonWriter& json, Point input, Point output) {
-  json.key("ground_pivots");
-  json.begin_object(Layout::one_line);
-  json.key("input");
-  write_point(json, input);
-  json.key("output");
-  write_point(json, output);
-  json.end_object();
-}
-
-// What a case gives beside the line.
-struct GivenWriter {
-  JsonWriter& json;
-
-  void operator()(const FourPointPivots& given) const { write_ground_pivots(json, given.input, given.output); }
-  void operator()(const FourPointCubic& given) const {
-    json.member("pole_distance", given.pole_distance);
-    json.member("point_ray_deg", degrees_for_files(given.point_ray));
-    json.key("cubic_n");
-    given.cubic_n ? json.value(*given.cubic_n) : json.null();
-  }
-  void operator()(const BallPointOnSideLink& given) const { write_input_pivot(given.input_pivot); }
-  void operator()(const IsoscelesTrapezoid& given) const { json.member("half_frame", given.half_frame); }
-  void operator()(const PoleAtGivenPivot& given) const {
-    write_ground_pivots(json, given.input, given.output);
-    json.member("output_arm", given.output_arm);
-  }
-  void operator()(const PoleAtFixedPivot& given) const {
-    json.member("pole_distance", given.pole_distance);
-    json.member("output_arm", given.output_arm);
-  }
-  void operator()(const FivePoint& given) const {
-    json.member("pole_distance", given.pole_distance);
-    json.member("point_ray_deg", degrees_for_files(given.point_ray));
-  }
-  void operator()(const ParallelSideLinks& given) const {
-    json.member("input_offset", given.input_offset);
-    json.member("output_offset", given.output_offset);
-  }
-  void operator()(const MixedContacts& given) const {
-    write_input_pivot(given.input_pivot);
-    json.key("contacts");
-    json.begin_list();
-    for (const PlacedContact& contact : given.contacts) {
-      json.begin_object(Layout::one_line);
-      json.member("s", contact.s);
-      json.member("multiplicity", contact.multiplicity);
-      json.member("side", contact.side);
-      json.end_object();
-    }
-    json.end_list();
-    json.member("coupler_angle_deg", degrees_for_files(given.coupler_angle));
-  }
-  void operator()(const SymmetricLambdas& given) const {
-    json.member("stroke", given.stroke);
-    json.key("crank_range_deg");
-    given.crank_range ? json.value(degrees_for_files(*given.crank_range)) : json.null();
-  }
-  void operator()(const Search& given) const {
-    json.member("stroke", given.stroke);
-    json.member("deviation", given.deviation);
-  }
-  template <class OfPole>
-  void operator()(const OfPole& given) const {
-    json.member("pole_distance", given.pole_distance);
-  }
-
- private:
-  void write_input_pivot(Point pivot) const {
-    json.key("input_pivot");
-    write_point(json, pivot);
-  }
-};
+using straight_cases::MixedContacts;
 
 void write_tracing_lengths(JsonWriter& json, const TracingFourBar& linkage) {
   const LinkLengths lengths = linkage.bars.lengths();
@@ -176,9 +103,7 @@ void write_straight_line(JsonWriter& json, const StraightLineSolution& found, co
   write_point(json, {found.place.at[0], found.place.at[1]});
   if (answer.search) {
     json.key("task");
-    json.begin_object();
-    write_of_kind(json, found.task);
-    json.end_object();
+    write_fields(json, found.task);
     if (found.shape) write_shape(json, *found.shape);
   }
   write_built(json, found.linkage, found.type);
@@ -217,15 +142,6 @@ void write_usable_lengths(JsonWriter& json, const StraightLineSolution& found, L
   json.member("min_transmission_angle_deg", degrees(found.judged().min_transmission_angle));
   write_stroke(json, "over_usable", found.over_usable);
   write_stroke(json, "stroke", found.stroke);
-}
-
-void write_of_kind(JsonWriter& json, const StraightLineTask& task) {
-  json.member("kind", "straight_line");
-  json.member("mechanism", "four_bar");
-  json.member("case", name(task.given));
-  json.key("line");
-  write_line(json, task.line);
-  std::visit(GivenWriter{json}, task.given);
 }
 
 void write_cognates(JsonWriter& json, const StraightLineSolution& found) {

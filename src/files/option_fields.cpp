@@ -1,0 +1,111 @@
+#include "files/fields/forms.hpp"
+#include "problem_fields.hpp"
+
+namespace linkwright {
+namespace {
+
+const Names<Objective> objectives = {{Objective::min_transmission_angle, Objective::link_ratio, Objective::size,
+                                      Objective::structural_error, Objective::link_angle, Objective::stroke,
+                                      Objective::deviation, Objective::velocity_uniformity, Objective::tolerance_error,
+                                      Objective::yield}};
+
+}  // namespace
+
+static void fields(FieldVisitor& v, MapWindow& window) {
+  std::array<std::array<double, 2>, 2> intervals = {window.input, window.output};
+  visit(v, intervals,
+        List{.what = {"intervals", "a pair of intervals [[low, high], [low, high]]"}, .most = 2, .is_of_length = true},
+        forms::interval);
+  window = {intervals[0], intervals[1]};
+}
+
+static void fields(FieldVisitor& v, MapPoint& place) {
+  std::array<double, 2> coordinates = {place.input, place.output};
+  v.pair(coordinates, {.form = "[u, v]"});
+  place = {coordinates[0], coordinates[1]};
+}
+
+static void fields(FieldVisitor& v, std::array<Objective, 2>& pareto) {
+  const List two = {.what = {"two_objectives", "two objectives"},
+                    .least = 2,
+                    .most = 2,
+                    .length_code = "pareto_two",
+                    .length_sentence =
+                        "a front is of two objectives: [\"min_transmission_angle\", "
+                        "\"tolerance_error\"]"};
+  visit(v, pareto, two, objectives);
+}
+
+namespace {
+
+void of_lines(FieldVisitor& v, LineMeasuring& line, bool is_written) {
+  const Names<LineMeasure> measures = {{LineMeasure::tangent, LineMeasure::strip}};
+  v.optional(Field("deviation",
+                   "Straight lines: half the width of the strip in which the usable length counts; null: 1/10 000 of "
+                   "the longest link or arm.")
+                 .null_for_none()
+                 .written(is_written),
+             line.deviation, forms::positive);
+  v.optional(Field("stroke",
+                   "Straight lines: the stroke over which deviations, transmission angle and velocity are judged, "
+                   "half of it either way; what does not reach it is not listed. Null: none, or that of the case.")
+                 .null_for_none()
+                 .written(is_written),
+             line.stroke, forms::positive);
+  v.optional(Field("measure", "Straight lines: usable by the line itself, or by the best strip beside it.")
+                 .written(is_written),
+             line.measure, measures);
+}
+
+void of_searches(FieldVisitor& v, SynthesisOptions& options) {
+  const SynthesisOptions usual;
+  v.optional(Field("box", "Six-bars without a chain: where all pivots lie in position 1."), options.box);
+  v.optional(Field("seed", "Of the chains tried.").written(options.seed != usual.seed), options.seed,
+             Whole{0, SynthesisOptions::max_seed});
+  v.optional(Field("effort", "How many chains are tried.").written(options.effort != usual.effort), options.effort,
+             Whole{1, SynthesisOptions::max_effort});
+}
+
+void of_places(FieldVisitor& v, SynthesisOptions& options) {
+  v.optional(Field("window",
+                   "The part of the region to sample: [[low, high], [low, high]] of the curve coordinates of input and "
+                   "output."),
+             options.window);
+  v.optional(Field("at",
+                   "A place [u, v] of the region by the coordinates of its axes: the result then lists the linkage "
+                   "there, whether it meets the requirements or not, and no other. Not where six-bars are searched for "
+                   "without a chain."),
+             options.at);
+}
+
+}  // namespace
+
+void fields(FieldVisitor& v, OptionsOf& of) {
+  SynthesisOptions& options = of.options;
+  const Names<Spacing> spacings = {{Spacing::coordinate, Spacing::arc_length}};
+  v.object({.name = "options", .on_lines = true}, [&](FieldVisitor& to) {
+    to.optional(Field("region_samples", "N of the N × N region."), options.region_samples,
+                Whole{SynthesisOptions::min_samples, SynthesisOptions::max_samples});
+    to.optional(
+        Field("spacing", "Even steps of the curve coordinate, or of the length run by circle and centre point."),
+        options.spacing, spacings);
+    to.optional(Field("objective",
+                      "What the best linkages have: the largest least transmission angle, the smallest link ratio, the "
+                      "smallest longest link, the smallest structural error of a named function, of spherical linkages "
+                      "the largest least link angle, or with tolerances the smallest error by them or the largest "
+                      "yield."),
+                options.objective, objectives);
+    to.optional(Field("pareto",
+                      "Two objectives of the map: linkages that no other beats in both are listed, instead of the best "
+                      "by one."),
+                options.pareto);
+    to.optional(Field("best", "How many linkages the result lists."), options.best,
+                Whole{0, SynthesisOptions::max_best});
+    of_lines(to, options.line, of.of_line);
+    of_searches(to, options);
+    of_places(to, options);
+    to.check([&] { return mistakes_in(options); });
+  });
+}
+
+}  // namespace linkwright
