@@ -6,6 +6,7 @@
 #include "linkwright/analysis/cognates.hpp"
 #include "linkwright/analysis/drive_through.hpp"
 #include "linkwright/analysis/position.hpp"
+#include "linkwright/region/cell_judge.hpp"
 
 namespace linkwright {
 namespace {
