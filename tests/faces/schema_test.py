@@ -417,6 +417,7 @@ def problems_with_everything():
     poses = tailgate["poses"][:3]
     for given in ({"side_lengths": [180, 240]}, {"side_length": 180}, {"side_angle_deg": 30, "input_length": 180},
                   {"instant_center": [200, 0]}, {"ground_pivots": [[200, -200], [400, -200]]},
+                  {"moving_pivots": [[50, -200], [100, -300]]},
                   {"ground_pivot_on": {"point": [0, -200], "direction_deg": 0}}):
         yield "three", problem({"kind": "motion", "mechanism": "four_bar", "poses": poses, "given": given, "pivot_on": []})
     line = {"which": "input", "pivot": "ground", "line": {"point": [0, -20], "direction_deg": 0}}
@@ -436,7 +437,7 @@ def problems_with_everything():
     yield "free", problem({"kind": "function", "mechanism": "four_bar", "function": dials | {"expression": "x^2", "x": [0, 1]},
                            "free": {"number": "pair_output", "pair": 2, "range": [10, 20]}})
     yield "about a centre", problem({"kind": "function", "mechanism": "spherical_four_bar", "ground_angle_deg": 60,
-                                     "function": dials | {"expression": "x^2", "x": [0, 1]}})
+                                     "function": dials | {"expression": "x^2", "x": [0, 1], "points": 4}})
     chain = task_of("loader_bucket_chain")
     yield "chain", problem(chain | {"chain": chain["chain"] | {"elbow": [0, 0, 0, 0]}})
     turns = [{"matrix": [[0, -1, 0], [1, 0, 0], [0, 0, 1]]}, {"axis": [0, 1, 1], "angle_deg": 30}, {"quaternion": [1, 0.1, 0, 0]},

@@ -92,11 +92,17 @@ void dials(FieldVisitor& v, NamedFunction& function) {
              function.output_range, dial);
 }
 
-/// How many precision points; where they are listed, as many as the list has.
+/// Where precision points are listed, they are as many as the list has.
 void points(FieldVisitor& v, NamedFunction& function) {
-  std::optional<int> count = function.points;
-  v.given(Field("points", "Precision points; where they are listed, as many as the list has."), count, Whole{4, 5});
-  function.points = *count;
+  bool is_counted = false;
+  v.member(Field("points", "Precision points; where they are listed, as many as the list has."), false,
+           [&](FieldVisitor& to) {
+             visit(to, function.points, Whole{4, 5});
+             is_counted = true;
+           });
+  spacing(v, function);
+  if (is_counted || function.spacing != PointSpacing::given) return;
+  function.points = static_cast<int>(std::min(function.given_points.size(), most_positions_looked_at));
 }
 
 }  // namespace
@@ -119,7 +125,6 @@ static void fields(FieldVisitor& v, NamedFunction& function) {
     interpolation(to, function);
     dials(to, function);
     points(to, function);
-    spacing(to, function);
     to.check([&] { return mistakes_in(function); });
   });
 }

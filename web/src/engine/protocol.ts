@@ -1,6 +1,9 @@
 // What the page and its two engine workers say to each other. All kinematics happens behind these messages, in the
 // C++ engine; the page only draws and words. Angles are degrees where a name ends in _deg, else radians; lengths and
 // points are the user's unit, fixed frame; moving pivots lie as in position 1 unless said otherwise.
+import type {Box, Requirements} from "./problem";
+
+export type {Box, Requirements};
 
 /** A cell or a point of the map: coordinates τ along its two axes, that of the input link (input) and the other's
  *  (output) where each has an axis of its own. */
@@ -322,27 +325,6 @@ export interface InstantReport {
   /** Polylines about the linkage. */
   circling_points?: Point[][];
   centering_points?: Point[][];
-}
-
-// ---- the file -------------------------------------------------------------------------------------------------
-
-export interface Box {
-  x: [number, number];
-  y: [number, number];
-}
-/** Kinds of tasks add theirs (tasks/<kind>/replies.ts). */
-export interface Requirements {
-  types?: LinkageType[];
-  no_defects?: boolean;
-  min_transmission_angle_deg?: number;
-  max_link_ratio?: number | null;
-  max_length?: number | null;
-  min_length?: number | null;
-  ground_pivots_within?: Box | null;
-  moving_pivots_within?: Box | null;
-  max_tolerance_error?: number | null;
-  min_yield?: number | null;
-  respect_direction?: boolean;
 }
 
 // ---- tolerances -----------------------------------------------------------------------------------------------

@@ -8,11 +8,10 @@ interface Described {
 
 describe("what a file means where it is silent", () => {
   const {$defs} = JSON.parse(readFileSync("../schema/problem.schema.json", "utf8"));
-  const given = $defs.given.oneOf as Described[];
   const described: Record<keyof typeof defaults, Described[]> = {
-    given,
+    given: [$defs.given_side_angle, $defs.given_instant_center],
     function: [$defs.function],
-    output_scale: [$defs.free.oneOf[0]],
+    output_scale: [$defs.free_scale],
     requirements: [$defs.requirements],
     options: [$defs.options],
   };

@@ -1,28 +1,11 @@
 // The problem file as the page holds it: a plain immutable value. Its normal form and its mistakes come from the engine.
-import type {Box, LinkageType, Pivot, Point, Requirements, TauPair} from "../engine/protocol";
+import type {Options} from "../engine/problem";
+import type {LinkageType, Pivot, Point, Requirements, TauPair} from "../engine/protocol";
 import {diagonal_of, poses_of, type Pose, type Task} from "./task";
 import type {Tolerances} from "./tolerances";
 
-/** What linkages can be the best by. Kinds of tasks add theirs (tasks/<kind>/replies.ts). */
-export interface Objectives {
-  min_transmission_angle: true;
-  link_ratio: true;
-  size: true;
-  tolerance_error: true;
-  yield: true;
-}
-export type Objective = keyof Objectives;
-export interface Options {
-  region_samples?: number;
-  spacing?: "coordinate" | "arc_length";
-  objective?: Objective;
-  best?: number;
-  window?: unknown;
-  /** Of a search for a six-bar's chain. */
-  box?: Box;
-  seed?: number;
-  effort?: number;
-}
+export type {Options};
+export type Objective = NonNullable<Options["objective"]>;
 export const most_pins = 1000;
 /** A linkage that the user keeps: it carries the task in which it was pinned. */
 export interface Pin {

@@ -10,11 +10,6 @@ declare module "../../engine/protocol" {
     max_structural_error_deg: number; // of a named function, where no number is free
   }
 }
-declare module "../../state/problem" {
-  interface Objectives {
-    structural_error: true;
-  }
-}
 
 /** Input and output angle, degrees on the task's dials. */
 export type DegreePair = readonly [input: number, output: number];

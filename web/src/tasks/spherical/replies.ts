@@ -5,19 +5,8 @@ declare module "../../engine/protocol" {
   interface Properties {
     min_link_angle_deg: number; // least of the four arcs and their supplements
   }
-  interface Requirements {
-    min_link_angle_deg?: number | null;
-    max_link_angle_deg?: number | null;
-    fixed_axes_within?: Cone | null;
-    moving_axes_within?: Cone | null;
-  }
   interface Linkage {
     spherical?: SphericalBars; // of spherical four-bars only
-  }
-}
-declare module "../../state/problem" {
-  interface Objectives {
-    link_angle: true;
   }
 }
 

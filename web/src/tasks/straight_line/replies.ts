@@ -12,29 +12,11 @@ declare module "../../engine/protocol" {
     velocity_nonuniformity: number;
     contact_coefficient: number;
   }
-  interface Requirements {
-    min_stroke?: number | null;
-    max_deviation?: number | null;
-  }
   interface Ranked {
     straight_line?: OwnMap; // of a search
   }
   interface Linkage {
     straight_line?: StraightLine | null; // of such tasks only; null: there is none
-  }
-}
-declare module "../../state/problem" {
-  interface Objectives {
-    stroke: true;
-    deviation: true;
-    velocity_uniformity: true;
-  }
-  interface Options {
-    /** Half the width of the strip; none: a share of the longest link. */
-    deviation?: number | null;
-    /** Over which lines are judged, half of it either way. */
-    stroke?: number | null;
-    measure?: "tangent" | "strip";
   }
 }
 

@@ -1,0 +1,228 @@
+#include "field_schema.hpp"
+
+#include <cmath>
+#include <fmt/format.h>
+#include <utility>
+
+#include "field_writer.hpp"
+#include "files/json/json_writer.hpp"
+#include "files/problem_fields.hpp"
+
+namespace linkwright {
+namespace {
+
+using Json = FieldSchema::Json;
+
+Json bound(double value) {
+  constexpr double exact = 1e15;
+  if (std::abs(value) < exact && value == std::floor(value)) return static_cast<std::int64_t>(value);
+  return value;
+}
+
+Json list_of(std::size_t least, std::size_t most, Json element) {
+  Json schema = {{"type", "array"}};
+  if (least > 0) schema["minItems"] = least;
+  if (most != List{.what = ""}.most) schema["maxItems"] = most;
+  schema["items"] = std::move(element);
+  return schema;
+}
+
+Json or_null(Json schema) {
+  if (!schema.contains("type") || schema.contains("enum") || schema.contains("$ref"))
+    return {{"anyOf", {std::move(schema), {{"type", "null"}}}}};
+  schema["type"] = {schema["type"], "null"};
+  return schema;
+}
+
+Json described(std::string_view about, const Json& schema) {
+  Json whole = Json::object();
+  if (!about.empty()) whole["description"] = about;
+  whole.update(schema);
+  return whole;
+}
+
+/// As it is written; null where it is an object, or nothing in a list or a text.
+Json written(const Visit& value) {
+  const Json json = Json::parse(json_text_of([&](JsonWriter& to) {
+    FieldWriter writer(to);
+    value(writer);
+  }));
+  return json.is_object() || json.empty() || json == "" ? Json() : json;
+}
+
+}  // namespace
+
+Json FieldSchema::take() {
+  Json whole = std::exchange(schema_, Json::object());
+  whole["$defs"] = std::exchange(definitions_, Json::object());
+  return whole;
+}
+
+Json FieldSchema::of(const Visit& value) {
+  const Json outer = std::exchange(schema_, Json::object());
+  value(*this);
+  return std::exchange(schema_, outer);
+}
+
+void FieldSchema::define(std::string_view name, std::string_view about, Json schema) {
+  const Json whole = described(about, schema);
+  if (name.empty()) {
+    schema_.update(whole);
+    return;
+  }
+  definitions_[name] = whole;
+  schema_["$ref"] = "#/$defs/" + std::string(name);
+}
+
+bool FieldSchema::member(const Field& field, bool is_required, const Visit& value) {
+  const Json default_value = field.is_absent || is_required ? Json() : written(value);
+  Json whole = described(field.about, of(value));
+  if (!default_value.is_null()) whole["default"] = default_value;
+  schema_["properties"][field.key] = whole;
+  if (is_required) schema_["required"].push_back(field.key);
+  return true;
+}
+
+void FieldSchema::constant(std::string_view key, std::string_view value) {
+  schema_["properties"][key] = {{"const", value}};
+  schema_["required"].push_back(key);
+}
+
+void FieldSchema::alternative(const Object& described_as, const Visit& members) {
+  const Json own = of(members);
+  alternatives_.push_back(of([&](FieldVisitor&) { define(described_as.name, described_as.about, own); }));
+}
+
+void FieldSchema::one_of(std::size_t /*current*/, std::span<const Alternative> alternatives, const OneOf& /*wrong*/) {
+  for (const Alternative& each : alternatives) alternative(each.described, each.members);
+}
+
+void FieldSchema::switch_on(const Field& field, std::size_t /*current*/, std::span<const Case> cases) {
+  for (const Case& each : cases)
+    alternative(each.described, [&](FieldVisitor& to) {
+      to.constant(field.key, each.name);
+      each.members(to);
+    });
+}
+
+void FieldSchema::orientation(GivenOrientation& /*orientation*/) {
+  const Json vector = list_of(3, 3, {{"type", "number"}});
+  const Json angle = {{"type", "number"}, {"minimum", bound(-1e12)}, {"maximum", bound(1e12)}};
+  Json& members = schema_["properties"];
+  members["matrix"] = list_of(3, 3, vector);
+  members["nearest"] =
+      described("Of a matrix: whether the nearest rotation is meant; without it, no.", {{"type", "boolean"}});
+  members["axis"] = described("Of any length, not null.", vector);
+  members["angle_deg"] = angle;
+  members["quaternion"] = described("[w, x, y, z] of any length, not null.", list_of(4, 4, {{"type", "number"}}));
+  members["rotation_vector"] = described("Along the axis, its length the angle in radians.", vector);
+  members["euler_deg"] = list_of(3, 3, angle);
+  members["sequence"] =
+      described("Of the axes, as in \"zyx\", \"ZYX\" or \"3-2-1\"; capitals mean the same.", {{"type", "string"}});
+  members["turning"] = described("About axes carried along, as without it, or about fixed ones.",
+                                 {{"enum", {"intrinsic", "extrinsic"}}});
+}
+
+void FieldSchema::object(const Object& described_as, const Visit& members) {
+  auto outer = std::exchange(alternatives_, {});
+  Json whole = {{"type", "object"}};
+  whole.update(of(members));
+  if (!alternatives_.empty()) whole["oneOf"] = alternatives_;
+  whole[alternatives_.empty() ? "additionalProperties" : "unevaluatedProperties"] = false;
+  alternatives_ = std::move(outer);
+  define(described_as.name, described_as.about, whole);
+}
+
+void FieldSchema::kinds(std::size_t /*current*/, std::span<const Kind> all) {
+  Json any = Json::array();
+  for (const Kind& each : all) any.push_back(of(each.task));
+  define("task", "What the linkage is for.", {{"type", "object"}, {"required", {"kind", "mechanism"}}, {"oneOf", any}});
+}
+
+void FieldSchema::shapes(std::size_t /*current*/, std::span<const Shape> shapes, std::optional<Wanted> /*otherwise*/) {
+  Json any = Json::array();
+  for (const Shape& each : shapes) any.push_back(of(each.value));
+  schema_["anyOf"] = any;
+}
+
+void FieldSchema::null_or(bool& /*is_there*/, const Visit& value) { schema_ = or_null(of(value)); }
+
+void FieldSchema::list(const List& described_as, std::size_t count, const VisitElement& element) {
+  const std::size_t least = described_as.is_of_length ? described_as.most : described_as.least;
+  const Json item = of([&](FieldVisitor& to) { element(to, count == 0 ? 0 : count - 1); });
+  define(described_as.name, described_as.about, list_of(least, described_as.most, item));
+}
+
+Json FieldSchema::of(const Number& number) const {
+  if (number.least == number.most) return {{"const", bound(number.least)}};
+  Json schema = {{"type", "number"}};
+  if (number.least != -Number::unlimited) schema[number.above ? "exclusiveMinimum" : "minimum"] = bound(number.least);
+  if (number.most != Number::unlimited) schema[number.below ? "exclusiveMaximum" : "maximum"] = bound(number.most);
+  return number.null ? or_null(schema) : schema;
+}
+
+void FieldSchema::number(double& /*value*/, const Number& number) { define(number.name, number.about, of(number)); }
+
+void FieldSchema::whole(std::int64_t& /*value*/, const Whole& whole) {
+  schema_ = {{"type", "integer"}, {"minimum", whole.least}, {"maximum", whole.most}};
+}
+
+void FieldSchema::flag(bool& /*value*/) { schema_["type"] = "boolean"; }
+void FieldSchema::text(std::string& /*value*/) { schema_["type"] = "string"; }
+
+void FieldSchema::name(std::size_t& /*chosen*/, std::span<const std::string_view> names) { schema_["enum"] = names; }
+
+void FieldSchema::pair(std::array<double, 2>& /*value*/, const Pair& pair) {
+  double each = 0;
+  const Json item = of([&](FieldVisitor& to) { to.number(each, pair.each); });
+  define(pair.name, pair.about, list_of(2, 2, item));
+}
+
+void FieldSchema::vector(Vector3& /*value*/, const Vector& vector) {
+  double each = 0;
+  const Json item = of([&](FieldVisitor& to) { to.number(each, vector.each); });
+  define(vector.name, vector.about, list_of(3, 3, item));
+}
+
+void FieldSchema::foreign(std::string& /*object*/) { schema_["type"] = "object"; }
+
+namespace {
+
+std::string on_a_line(const Json& json) {
+  if (!json.is_structured()) return json.dump(-1, ' ', false);
+  std::string text;
+  for (const auto& item : json.items())
+    text +=
+        (text.empty() ? "" : ", ") + (json.is_object() ? json_text(item.key()) + ": " : "") + on_a_line(item.value());
+  return json.is_object() ? "{" + text + "}" : "[" + text + "]";
+}
+
+}  // namespace
+
+std::string readable(const Json& json, std::size_t indent, std::size_t beside) {
+  constexpr std::size_t widest = 120;
+  const std::string line = on_a_line(json);
+  if (!json.is_structured() || indent + line.size() + beside <= widest) return line;
+  const std::string inner(indent + 2, ' ');
+  std::string text;
+  for (const auto& item : json.items()) {
+    const std::string key = json.is_object() ? json_text(item.key()) + ": " : "";
+    text += (text.empty() ? "" : ",\n") + inner + key + readable(item.value(), indent + 2, key.size() + 1);
+  }
+  const auto [begin, end] = json.is_object() ? std::pair('{', '}') : std::pair('[', ']');
+  return fmt::format("{}\n{}\n{}{}", begin, text, std::string(indent, ' '), end);
+}
+
+Json problem_schema(const Json& rules) {
+  Problem problem;
+  problem.requirements.min_link_angle = default_min_link_angle;
+  FieldSchema visitor;
+  fields(visitor, problem);
+  Json whole = rules;
+  whole.erase("$defs");
+  whole.update(visitor.take());
+  whole.merge_patch(rules);
+  return whole;
+}
+
+}  // namespace linkwright

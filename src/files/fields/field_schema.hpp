@@ -1,0 +1,59 @@
+#pragma once
+
+#include <nlohmann/json.hpp>
+#include <string>
+#include <string_view>
+
+#include "fields/field_visitor.hpp"
+
+namespace linkwright {
+
+/// Describes fields as a JSON schema (2020-12). What has a name is a definition of its own.
+class FieldSchema final : public FieldVisitor {
+ public:
+  using Json = nlohmann::ordered_json;
+
+  /// The schema of what was visited, with its definitions.
+  [[nodiscard]] Json take();
+
+  bool member(const Field& field, bool is_required, const Visit& value) override;
+  void constant(std::string_view key, std::string_view value) override;
+  void one_of(std::size_t current, std::span<const Alternative> alternatives, const OneOf& wrong) override;
+  void switch_on(const Field& field, std::size_t current, std::span<const Case> cases) override;
+  void orientation(GivenOrientation& orientation) override;
+
+  void object(const Object& described, const Visit& members) override;
+  void kinds(std::size_t current, std::span<const Kind> all) override;
+  void shapes(std::size_t current, std::span<const Shape> shapes, std::optional<Wanted> otherwise) override;
+  void null_or(bool& is_there, const Visit& value) override;
+  void list(const List& described, std::size_t count, const VisitElement& element) override;
+  void number(double& value, const Number& described) override;
+  void whole(std::int64_t& value, const Whole& described) override;
+  void flag(bool& value) override;
+  void text(std::string& value) override;
+  void name(std::size_t& chosen, std::span<const std::string_view> names) override;
+  void pair(std::array<double, 2>& value, const Pair& described) override;
+  void vector(Vector3& value, const Vector& described) override;
+  void foreign(std::string& object) override;
+
+ private:
+  Json of(const Visit& value);
+  Json of(const Number& number) const;
+  void define(std::string_view name, std::string_view about, Json schema);
+  void alternative(const Object& described, const Visit& members);
+
+  Json schema_ = Json::object();  ///< of the value in hand
+  Json definitions_ = Json::object();
+  std::vector<Json> alternatives_;  ///< of the object in hand
+};
+
+/// The schema of problem files. `rules`: what holds between fields, as a JSON merge patch, with the schema's own name.
+[[nodiscard]] FieldSchema::Json problem_schema(const FieldSchema::Json& rules = FieldSchema::Json::object());
+
+/// As people read it: what fits on a line of 120 characters is on one.
+[[nodiscard]] std::string readable(const FieldSchema::Json& json, std::size_t indent = 0, std::size_t beside = 0);
+
+/// The definitions of a schema without rules as types of TypeScript, that of the whole under a name.
+[[nodiscard]] std::string typescript(const FieldSchema::Json& schema, std::string_view name);
+
+}  // namespace linkwright

@@ -1,0 +1,132 @@
+#include <algorithm>
+#include <cctype>
+#include <fmt/format.h>
+#include <string>
+
+#include "field_schema.hpp"
+
+namespace linkwright {
+namespace {
+
+using Json = FieldSchema::Json;
+
+/// "motion_task": MotionTask.
+std::string type_name(std::string_view definition) {
+  std::string name;
+  bool starts = true;
+  for (const char letter : definition) {
+    if (letter != '_') name += starts ? static_cast<char>(std::toupper(static_cast<unsigned char>(letter))) : letter;
+    starts = letter == '_';
+  }
+  return name;
+}
+
+struct TypeScript {
+  const Json& definitions;
+
+  [[nodiscard]] const Json& definition(const Json& schema) const {
+    return definitions.at(schema.at("$ref").get_ref<const std::string&>().substr(std::string("#/$defs/").size()));
+  }
+  /// What has no members is told where it stands.
+  [[nodiscard]] static bool has_name(const Json& schema) {
+    return schema.contains("properties") || schema.contains("oneOf");
+  }
+
+  [[nodiscard]] std::string reference(const Json& schema) const {
+    const Json& target = definition(schema);
+    if (!has_name(target)) return type(target);
+    return type_name(schema.at("$ref").get_ref<const std::string&>().substr(std::string("#/$defs/").size()));
+  }
+
+  [[nodiscard]] std::string any(const Json& schemas) const {
+    std::string text;
+    for (const Json& each : schemas) text += (text.empty() ? "" : " | ") + type(each);
+    return text;
+  }
+
+  [[nodiscard]] std::string list(const Json& schema) const {
+    const std::string item = type(schema.at("items"));
+    const auto count = schema.value("minItems", std::size_t{0});
+    constexpr std::size_t longest_tuple = 4;
+    if (count == 0 || count != schema.value("maxItems", std::size_t{0}) || count > longest_tuple)
+      return item.find_first_of(" |{") == std::string::npos ? fmt::format("readonly {}[]", item)
+                                                            : fmt::format("readonly ({})[]", item);
+    std::string items = item;
+    for (std::size_t i = 1; i < count; ++i) items += ", " + item;
+    return fmt::format("readonly [{}]", items);
+  }
+
+  [[nodiscard]] std::string members(const Json& schema) const {
+    std::string text;
+    const Json required = schema.value("required", Json::array());
+    for (const auto& [key, member] : schema.at("properties").items()) {
+      if (member.contains("description"))
+        text += fmt::format("/** {} */\n", member.at("description").get_ref<const std::string&>());
+      const bool is_required = std::find(required.begin(), required.end(), key) != required.end();
+      text += fmt::format("{}{}: {};\n", key, is_required ? "" : "?", type(member));
+    }
+    return fmt::format("{{\n{}}}", text);
+  }
+
+  [[nodiscard]] std::string object(const Json& schema) const {
+    const bool has_members = schema.contains("properties");
+    if (!schema.contains("oneOf")) return has_members ? members(schema) : "object";
+    const std::string alternatives = any(schema.at("oneOf"));
+    return has_members ? fmt::format("{} & ({})", members(schema), alternatives) : alternatives;
+  }
+
+  [[nodiscard]] std::string type(const Json& schema) const {
+    if (schema.contains("$ref")) return reference(schema);
+    if (schema.contains("const")) return schema.at("const").dump();
+    if (schema.contains("enum")) {
+      std::string names;
+      for (const Json& each : schema.at("enum")) names += (names.empty() ? "" : " | ") + each.dump();
+      return names;
+    }
+    if (schema.contains("anyOf")) return any(schema.at("anyOf"));
+    if (!schema.contains("type")) return object(schema);
+    return type(schema, schema.at("type"));
+  }
+
+  [[nodiscard]] std::string type(const Json& schema, const Json& kind) const {
+    if (kind.is_array()) return fmt::format("{} | null", type(schema, kind.front()));
+    if (kind == "array") return list(schema);
+    if (kind == "object") return object(schema);
+    return kind == "integer" ? "number" : kind.get<std::string>();
+  }
+};
+
+/// Two blanks to each brace.
+std::string indented(std::string_view text) {
+  std::string lines;
+  std::size_t depth = 0;
+  while (!text.empty()) {
+    const std::string_view line = text.substr(0, text.find('\n'));
+    text.remove_prefix(line.size() + 1);
+    if (line.starts_with('}')) --depth;
+    lines += fmt::format("{}{}\n", std::string(2 * depth, ' '), line);
+    if (line.ends_with('{')) ++depth;
+  }
+  return lines;
+}
+
+}  // namespace
+
+std::string typescript(const Json& schema, std::string_view name) {
+  const TypeScript types{schema.at("$defs")};
+  std::string text;
+  const auto define = [&](std::string_view type, const Json& definition) {
+    const std::string written = types.type(definition);
+    const bool is_interface = written.starts_with('{') && !definition.contains("oneOf");
+    if (definition.contains("description"))
+      text += fmt::format("/** {} */\n", definition.at("description").get_ref<const std::string&>());
+    text += fmt::format("export {} {}{} {}\n", is_interface ? "interface" : "type", type, is_interface ? "" : " =",
+                        is_interface ? written : written + ";");
+  };
+  define(name, schema);
+  for (const auto& [key, definition] : schema.at("$defs").items())
+    if (TypeScript::has_name(definition)) define(type_name(key), definition);
+  return indented(text);
+}
+
+}  // namespace linkwright

@@ -1,0 +1,431 @@
+// What problem files hold: generated from the fields of the engine (docs/architecture.md), not written.
+export interface Problem {
+  /** Version of the file format. */
+  linkwright: 1;
+  title?: string;
+  /** Echoed, never converted. Drawings and models know µm, mm, cm, dm, m, km, mil, in, ft, yd and mi by symbol or name, in any spelling that is usual (inch, inches, ", millimeter, MM); of another the export says that it does not know it. */
+  length_unit?: string;
+  task: Task;
+  requirements?: Requirements;
+  tolerances?: Tolerances | null;
+  options?: Options;
+  /** The workbench's own; kept. Of it the program reads only the `outline`, which it draws: corners [x, y] of the guided body in the moving frame. */
+  view?: object;
+}
+/** x and y in the user's length, theta in radians, per power of the parameter. */
+export interface Derivative {
+  x: number;
+  y: number;
+  theta: number;
+}
+/** Where two points of the body lie; the moving frame has its origin in the first and its x axis toward the second. Distances that differ from pose to pose are told, and fitted by least squares. */
+export interface PoseByPoints {
+  points: readonly [readonly [number, number], readonly [number, number]];
+  /** First, second, … derivatives by any parameter that increases along the task: the direction of travel through the pose, then its curvature, …. */
+  derivatives?: readonly Derivative[];
+}
+/** Pose of the moving frame in the fixed frame; theta counts modulo 360. */
+export interface Pose {
+  x: number;
+  y: number;
+  theta_deg: number;
+  /** First, second, … derivatives by any parameter that increases along the task: the direction of travel through the pose, then its curvature, …. */
+  derivatives?: readonly Derivative[];
+}
+export interface Line {
+  point: readonly [number, number];
+  direction_deg: number;
+}
+export interface PivotOnLine {
+  which: "input" | "output";
+  /** A moving pivot as it lies in position 1. */
+  pivot: "ground" | "moving";
+  line: Line;
+}
+/** Lengths of the grounded links, input and output. */
+export interface GivenSideLengths {
+  side_lengths: readonly [number, number];
+}
+/** Length of the input link; that of the output link is chosen. */
+export interface GivenSideLength {
+  side_length: number;
+}
+/** Angle in position 1 from the input to the output link, each directed from its fixed to its moving pivot; undirected: modulo 180. Without the input's length that is chosen. */
+export interface GivenSideAngle {
+  side_angle_deg: number;
+  directed?: boolean;
+  input_length?: number | null;
+}
+/** Instant centre of the body in position 1; at infinity: the direction in which it lies. */
+export interface GivenInstantCenter {
+  instant_center: readonly [number, number];
+  at_infinity?: boolean;
+}
+export interface GroundPivots {
+  input: readonly [number, number];
+  output: readonly [number, number];
+}
+/** Both ground pivots: one linkage. */
+export interface GivenGroundPivots {
+  ground_pivots: GroundPivots | readonly [readonly [number, number], readonly [number, number]];
+}
+/** Both moving pivots as they lie in position 1: one linkage. */
+export interface GivenMovingPivots {
+  moving_pivots: GroundPivots | readonly [readonly [number, number], readonly [number, number]];
+}
+/** One pivot of each link: one linkage. One pivot of one link: the solution region is the place of the other link's pivot of the same kind. Moving pivots as they lie in position 1. */
+export interface GivenSinglePivots {
+  input_ground_pivot?: readonly [number, number];
+  input_moving_pivot?: readonly [number, number];
+  output_ground_pivot?: readonly [number, number];
+  output_moving_pivot?: readonly [number, number];
+}
+/** A line on which both links have their ground pivots, one on which they have their moving pivots in position 1; with both lines at most two dyads are left. */
+export interface GivenPivotLines {
+  ground_pivot_on?: Line;
+  moving_pivot_on?: Line;
+}
+export type Given = GivenSideLengths | GivenSideLength | GivenSideAngle | GivenInstantCenter | GivenGroundPivots | GivenMovingPivots | GivenSinglePivots | GivenPivotLines;
+/** Motion generation: a body shall pass through three, four or five positions in this order. A pose counts as one position, and as one more for each of its derivatives. */
+export interface MotionTask {
+  kind: "motion";
+  mechanism: "four_bar";
+  poses: readonly (PoseByPoints | Pose)[];
+  /** Five positions: the pose, counted from 1 and without derivatives, that need not be passed exactly; the result says by how much a linkage misses it. */
+  freed_pose?: number | null;
+  /** Four positions: lines on which the links have a pivot, one at most to each link; it is then one of at most three dyads. */
+  pivot_on?: readonly PivotOnLine[] | null;
+  /** Three positions: what is known beside them; otherwise left out. */
+  given?: Given | null;
+}
+export interface Rates {
+  input: number;
+  output: number;
+}
+/** Angles of input and output link, counter-clockwise, each from a datum of its own. */
+export interface Pair {
+  input_deg: number;
+  output_deg: number;
+  /** First, second, … derivatives by any parameter that increases along the task, in radians. */
+  derivatives?: readonly Rates[];
+}
+export interface ByExpression {
+  /** A function of x, times a number, plus a number: x^2, 2x, 0.5 sin_deg + 1. log is of base 10; sin, cos, tan take radians, sin_deg, cos_deg, tan_deg degrees. */
+  expression: string;
+}
+export interface ByTable {
+  /** Rows [x, y] by rising x. */
+  table: readonly (readonly [number, number])[];
+}
+/** A function y(x) and the dials on which x and y are read, both even; the pairs are its precision points. */
+export type Function = {
+  /** Between the rows of a table. */
+  interpolation?: "monotone_cubic" | "linear";
+  /** Range, low first; a table's own where it is missing. */
+  x?: readonly [number, number] | null;
+  /** What the output's range stands for; least and greatest y where it is missing. */
+  y?: readonly [number, number] | null;
+  /** Where the ends of x stand on the input's dial, at most a turn apart. */
+  input_range_deg: readonly [number, number];
+  /** Where the ends of y stand on the output's dial. */
+  output_range_deg: readonly [number, number];
+  /** Precision points; where they are listed, as many as the list has. */
+  points?: number;
+  /** Chebyshev's, even steps with both ends, or a list of x. */
+  spacing?: readonly number[] | "chebyshev" | "even";
+} & (ByExpression | ByTable);
+/** A positive factor on the output's travel. */
+export interface FreeScale {
+  number: "output_scale";
+  range?: readonly [number, number] | null;
+}
+/** The output angle of one pair, degrees; pairs count from 1. */
+export interface FreeOutput {
+  number: "pair_output";
+  pair: number;
+  range: readonly [number, number];
+}
+export type Free = FreeScale | FreeOutput;
+/** Function generation: the input link turns the output link through four or five pairs of angles in this order. A pair counts as one position, and as one more for each of its derivatives. */
+export type FunctionTask = {
+  kind: "function";
+  mechanism: "four_bar";
+  /** Default: (0, 0) and (1, 0). */
+  ground_pivots?: GroundPivots;
+  /** Four positions: a number left open, the map's second coordinate. */
+  free?: Free | null;
+} & ({
+  pairs: readonly Pair[];
+} | {
+  function: Function;
+});
+/** Hinges of the chain 0-1-2-3 in position 1, fixed frame. */
+export interface Chain {
+  a: readonly [number, number];
+  b: readonly [number, number];
+  d: readonly [number, number];
+  /** By pose, the side of the line from a to d on which b lies: 1 left, -1 right, 0 as in position 1. */
+  elbow?: readonly [number, number, number, number];
+}
+/** Motion generation by a six-bar: a chain of three links that guides the body through four poses, and two links added to it. Without a chain one is searched for in options.box. */
+export interface SixBarTask {
+  kind: "motion";
+  mechanism: "six_bar";
+  poses: readonly (PoseByPoints | Pose)[];
+  chain?: Chain | null;
+  /** Bodies joined by the first and by the second added link: 0 the ground, 1 … 3 the chain, 3 the guided body, 4 the first added link. */
+  added: readonly [string, string];
+}
+/** The rotation that carries the body from its reference attitude into this one, in one of five forms, and optionally its angular velocity and the derivatives of that, in the fixed frame, radians per unit of any parameter that increases along the task. */
+export interface Orientation {
+  matrix?: readonly [readonly [number, number, number], readonly [number, number, number], readonly [number, number, number]];
+  /** Of a matrix: whether the nearest rotation is meant; without it, no. */
+  nearest?: boolean;
+  /** Of any length, not null. */
+  axis?: readonly [number, number, number];
+  angle_deg?: number;
+  /** [w, x, y, z] of any length, not null. */
+  quaternion?: readonly [number, number, number, number];
+  /** Along the axis, its length the angle in radians. */
+  rotation_vector?: readonly [number, number, number];
+  euler_deg?: readonly [number, number, number];
+  /** Of the axes, as in "zyx", "ZYX" or "3-2-1"; capitals mean the same. */
+  sequence?: string;
+  /** About axes carried along, as without it, or about fixed ones. */
+  turning?: "intrinsic" | "extrinsic";
+  angular_velocity?: readonly [number, number, number];
+  angular_acceleration?: readonly [number, number, number];
+  angular_jerk?: readonly [number, number, number];
+  angular_snap?: readonly [number, number, number];
+}
+export type GivenAxes = {
+  fixed_axes: readonly [readonly [number, number, number], readonly [number, number, number]];
+} | {
+  moving_axes: readonly [readonly [number, number, number], readonly [number, number, number]];
+};
+/** Motion generation about a fixed centre by a spherical four-bar: a body shall pass through four or five orientations in this order, or through three with two axes given. An orientation counts as one position, and as one more for each of its derivatives. */
+export interface SphericalMotionTask {
+  kind: "motion";
+  mechanism: "spherical_four_bar";
+  orientations: readonly Orientation[];
+  /** Three orientations: both fixed axes, or both moving axes in position 1, the input's first. */
+  given?: GivenAxes | null;
+}
+/** Function generation by a spherical four-bar: the input turns about the first fixed axis, (0, 0, 1), the output about the second, (sin, 0, cos) of ground_angle_deg, both right-handed. */
+export type SphericalFunctionTask = {
+  kind: "function";
+  mechanism: "spherical_four_bar";
+  /** Between the fixed axes. */
+  ground_angle_deg: number;
+  /** Four positions: a number left open, the map's second coordinate. */
+  free?: Free | null;
+} & ({
+  pairs: readonly Pair[];
+} | {
+  function: Function;
+});
+export interface Contact {
+  /** Along the line from its point. */
+  s: number;
+  /** Points in common with the line: 1 crosses, 2 touches, 3 inflects. */
+  multiplicity?: number;
+  /** Of the way from the input pivot to the point on which the crank's pin lies there: 1 left, -1 right. */
+  side?: number;
+}
+/** A point of the coupler is to run along a line. What is given beside it is told by the case; what is left open, by the axes of the map. Where no ground pivots are given, the line's point is where the coupler point is. The pole lies pole_distance from it, along the line's right normal; rays lead from the pole, their angles are counted from the pole tangent. */
+export type StraightLineTask = {
+  kind: "straight_line";
+  mechanism: "four_bar";
+} & ({
+  case: "four_point_pivots";
+  line: Line;
+  ground_pivots: GroundPivots;
+} | {
+  case: "four_point_cubic";
+  line: Line;
+  pole_distance: number;
+  point_ray_deg: number;
+  cubic_n?: number | null;
+} | {
+  case: "ball_point_on_side_link";
+  line: Line;
+  input_pivot: readonly [number, number];
+} | {
+  case: "isosceles_trapezoid";
+  line: Line;
+  half_frame: number;
+} | {
+  case: "pole_at_fixed_pivot";
+  line: Line;
+  ground_pivots: GroundPivots;
+  /** Of the output link, signed along the pole tangent. */
+  output_arm: number;
+} | {
+  case: "pole_at_fixed_pivot";
+  line: Line;
+  pole_distance: number;
+  /** Of the output link, signed along the pole tangent. */
+  output_arm: number;
+} | {
+  case: "pole_at_fixed_pivot_ball_point_on_frame";
+  line: Line;
+  pole_distance: number;
+} | {
+  case: "five_point";
+  line: Line;
+  pole_distance: number;
+  point_ray_deg: number;
+} | {
+  case: "five_point_inflection_pole";
+  line: Line;
+  pole_distance: number;
+} | {
+  case: "five_point_side_link_on_frame";
+  line: Line;
+  pole_distance: number;
+} | {
+  case: "six_point";
+  line: Line;
+  pole_distance: number;
+} | {
+  case: "parallel_side_links";
+  line: Line;
+  input_offset: number;
+  output_offset: number;
+} | {
+  case: "mixed";
+  line: Line;
+  input_pivot: readonly [number, number];
+  contacts: readonly Contact[];
+  /** 0: a lambda linkage. */
+  coupler_angle_deg?: number;
+} | {
+  case: "symmetric_lambda";
+  line: Line;
+  stroke: number;
+  crank_range_deg?: number | null;
+} | {
+  case: "search";
+  line: Line;
+  stroke: number;
+  deviation: number;
+});
+/** What the linkage is for. */
+export type Task = MotionTask | FunctionTask | SixBarTask | SphericalMotionTask | SphericalFunctionTask | StraightLineTask;
+export interface Box {
+  x: readonly [number, number];
+  y: readonly [number, number];
+}
+/** Lines at most half_angle_deg from an axis, in either sense. */
+export interface Cone {
+  /** [x, y, z] of any length, not null. */
+  axis: readonly [number, number, number];
+  half_angle_deg: number;
+}
+/** They choose and rank linkages; they never change the curve or the region's counts. null switches a limit off. */
+export interface Requirements {
+  /** Wanted types; none or null: any. Triple rockers are told by their longest link in the plane, on the sphere they are one type. */
+  types?: readonly ("crank_rocker" | "rocker_crank" | "double_crank" | "double_rocker" | "triple_rocker_ground" | "triple_rocker_input" | "triple_rocker_coupler" | "triple_rocker_output" | "change_point" | "degenerate" | "triple_rocker")[] | null;
+  /** Neither order nor branch nor circuit defect. */
+  no_defects?: boolean;
+  /** Least transmission angle over the task. */
+  min_transmission_angle_deg?: number | null;
+  /** Longest over shortest of the four links. */
+  max_link_ratio?: number | null;
+  /** Longest of the four links; default 10 times the task's characteristic length, which is seen from position 1: give a length where the positions may also be passed the other way round. */
+  max_length?: number | null;
+  /** Shortest of the four links; default a thousandth of the task's characteristic length, or of max_length where that is shorter. null: any. */
+  min_length?: number | null;
+  /** Both fixed pivots. */
+  ground_pivots_within?: Box | null;
+  /** Both moving pivots, in position 1; in position 2 where "freed_pose" is 1. */
+  moving_pivots_within?: Box | null;
+  /** Spherical linkages: least of the four links' angles, an angle and its supplement being the same link. */
+  min_link_angle_deg?: number | null;
+  /** Spherical linkages: largest of the four links' angles, as for the least. */
+  max_link_angle_deg?: number | null;
+  /** Spherical linkages: both fixed axes. */
+  fixed_axes_within?: Cone | null;
+  /** Spherical linkages: both moving axes, in position 1. */
+  moving_axes_within?: Cone | null;
+  /** Straight lines: least usable length. */
+  min_stroke?: number | null;
+  /** Straight lines: largest deviation over the stroke, or over the usable length where no stroke is asked for. */
+  max_deviation?: number | null;
+  /** Largest error by tolerances, in their unit: the user's length; of functions and spherical linkages degrees. Needs tolerances; off where it is not given. */
+  max_tolerance_error?: number | null;
+  /** Least share of sampled linkages that assemble and keep the limit in all positions. Needs tolerances with a limit; off where it is not given. */
+  min_yield?: number | null;
+  /** Poses with derivatives are passed in the direction of the first one, not against it. */
+  respect_direction?: boolean;
+}
+export interface LengthTolerances {
+  input?: number | null;
+  coupler?: number | null;
+  output?: number | null;
+  /** Of each coordinate. */
+  ground_pivots?: number | null;
+  /** Of the body's origin in the coupler, each coordinate. */
+  point?: number | null;
+}
+export type ToleranceLimit = {
+  position: number;
+} | {
+  angle_deg: number;
+} | {
+  deviation: number;
+};
+export interface ToleranceCost {
+  exponent: number;
+}
+/** How exactly linkages are made: half tolerances, all independent, in the user's unit. */
+export interface Tolerances {
+  /** Of all lengths of a planar linkage, or of each kind: of six-bars those of the driver, of the other links on the ground, of all others. */
+  length?: LengthTolerances | number | null | null;
+  /** Radius by which a pin can move in its hole. */
+  clearance?: number | null;
+  /** Of the input's angle. */
+  driver_deg?: number | null;
+  /** Of each arc of a spherical linkage. */
+  link_angle_deg?: number | null;
+  /** Normal with half tolerance = 3 standard deviations, the same cut off at the tolerances, or even. */
+  distribution?: "normal" | "truncated_normal" | "uniform";
+  /** By which an angle is multiplied to be weighed against a distance: 0 leaves angles out; the characteristic length of the task where it is not given. */
+  turning_length?: number | null;
+  /** The error up to which a linkage is good, at all positions. */
+  limit?: ToleranceLimit | null;
+  /** A tolerance T costs T^-exponent: asks for the tolerances of least cost. */
+  cost?: ToleranceCost | null;
+  /** How many linkages are sampled. */
+  samples?: number;
+  /** Of the samples: the same one gives the same answer. */
+  seed?: number;
+}
+export interface Options {
+  /** N of the N × N region. */
+  region_samples?: number;
+  /** Even steps of the curve coordinate, or of the length run by circle and centre point. */
+  spacing?: "coordinate" | "arc_length";
+  /** What the best linkages have: the largest least transmission angle, the smallest link ratio, the smallest longest link, the smallest structural error of a named function, of spherical linkages the largest least link angle, or with tolerances the smallest error by them or the largest yield. */
+  objective?: "min_transmission_angle" | "link_ratio" | "size" | "structural_error" | "link_angle" | "stroke" | "deviation" | "velocity_uniformity" | "tolerance_error" | "yield";
+  /** Two objectives of the map: linkages that no other beats in both are listed, instead of the best by one. */
+  pareto?: readonly ["min_transmission_angle" | "link_ratio" | "size" | "structural_error" | "link_angle" | "stroke" | "deviation" | "velocity_uniformity" | "tolerance_error" | "yield", "min_transmission_angle" | "link_ratio" | "size" | "structural_error" | "link_angle" | "stroke" | "deviation" | "velocity_uniformity" | "tolerance_error" | "yield"] | null;
+  /** How many linkages the result lists. */
+  best?: number;
+  /** Straight lines: half the width of the strip in which the usable length counts; null: 1/10 000 of the longest link or arm. */
+  deviation?: number | null;
+  /** Straight lines: the stroke over which deviations, transmission angle and velocity are judged, half of it either way; what does not reach it is not listed. Null: none, or that of the case. */
+  stroke?: number | null;
+  /** Straight lines: usable by the line itself, or by the best strip beside it. */
+  measure?: "tangent" | "strip";
+  /** Six-bars without a chain: where all pivots lie in position 1. */
+  box?: Box | null;
+  /** Of the chains tried. */
+  seed?: number;
+  /** How many chains are tried. */
+  effort?: number;
+  /** The part of the region to sample: [[low, high], [low, high]] of the curve coordinates of input and output. */
+  window?: readonly [readonly [number, number], readonly [number, number]] | null;
+  /** A place [u, v] of the region by the coordinates of its axes: the result then lists the linkage there, whether it meets the requirements or not, and no other. Not where six-bars are searched for without a chain. */
+  at?: readonly [number, number] | null;
+}
