@@ -32,8 +32,8 @@ void check_numbers(const WantedFunction& wanted, std::vector<Error>& found) {
   for (std::size_t i = 0; i < wanted.pairs.size(); ++i) {
     const AnglePair& pair = wanted.pairs[i];
     const std::size_t before = found.size();
-    check_number(degrees(pair.input), "input_deg", place_of_pair(i) + ".input_deg", found);
-    check_number(degrees(pair.output), "output_deg", place_of_pair(i) + ".output_deg", found);
+    check_angle(pair.input, "input_deg", place_of_pair(i) + ".input_deg", found);
+    check_angle(pair.output, "output_deg", place_of_pair(i) + ".output_deg", found);
     for (std::size_t m = 0; m < pair.derivatives.size(); ++m) {
       const std::string here = fmt::format("{}.derivatives[{}]", place_of_pair(i), m);
       check_number(pair.derivatives[m].input, "input", here + ".input", found);

@@ -37,7 +37,7 @@ void check_derivatives(const std::vector<PoseDerivative>& derivatives, const std
 void check_pose(const Pose& pose, const std::string& place, std::vector<Error>& found) {
   check_number(pose.origin.real(), "x", place + ".x", found);
   check_number(pose.origin.imag(), "y", place + ".y", found);
-  check_number(degrees(pose.angle), "theta_deg", place + ".theta_deg", found);
+  check_angle(pose.angle, "theta_deg", place + ".theta_deg", found);
 }
 
 void check_numbers(const MotionTask& task, std::vector<Error>& found) {

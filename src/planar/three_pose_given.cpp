@@ -34,7 +34,7 @@ void check(const SideLengths& given, std::vector<Error>& found) {
 }
 
 void check(const SideAngle& given, std::vector<Error>& found) {
-  if (!(std::abs(degrees(given.angle)) <= largest_coordinate))
+  if (!(std::abs(given.angle) <= radians(largest_coordinate)))
     found.push_back({"side_angle_range",
                      "task.given.side_angle_deg",
                      fmt::format("the angle between the grounded links is a number between −{0} and {0} degrees",
@@ -88,7 +88,7 @@ void check(const PivotLines& given, std::vector<Error>& found) {
 
 void check_line(const LineAtAngle& line, const std::string& place, std::vector<Error>& found) {
   check_point(line.point, place + ".point", found);
-  check_number(degrees(line.angle), "direction_deg", place + ".direction_deg", found);
+  check_angle(line.angle, "direction_deg", place + ".direction_deg", found);
 }
 
 std::vector<Error> mistakes_in(const ThreePoseGiven& given) {

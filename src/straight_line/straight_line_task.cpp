@@ -92,7 +92,7 @@ class GivenCheck {
   }
   void operator()(const MixedContacts& given) {
     check_point(given.input_pivot, "task.input_pivot");
-    check(degrees(given.coupler_angle), "the angle of the coupler", "task.coupler_angle_deg");
+    check_angle(given.coupler_angle, "the angle of the coupler", "task.coupler_angle_deg", found_);
     int points = 0;
     for (std::size_t j = 0; j < given.contacts.size(); ++j) check_contact(given, j, points);
     if (points != 4)
@@ -166,7 +166,7 @@ class GivenCheck {
   }
   // On the pole tangent D is infinite, on the pole normal the inflection pole is the only place.
   void check_point_ray(double ray) {
-    check(degrees(ray), "the angle of a ray", "task.point_ray_deg");
+    check_angle(ray, "the angle of a ray", "task.point_ray_deg", found_);
     const double least = std::abs(std::remainder(ray, pi / 2));
     if (std::isfinite(ray) && !(least > tolerance::repeated_input_angle))
       mistake(
@@ -221,7 +221,7 @@ std::vector<Error> mistakes_in(const StraightLineTask& task) {
   std::vector<Error> found;
   check_number(task.line.point.real(), "a coordinate", "task.line.point[0]", found);
   check_number(task.line.point.imag(), "a coordinate", "task.line.point[1]", found);
-  check_number(degrees(task.line.angle), "the direction of the line", "task.line.direction_deg", found);
+  check_angle(task.line.angle, "the direction of the line", "task.line.direction_deg", found);
   GivenCheck check(task.line, found);
   std::visit(check, task.given);
   return found;
