@@ -4,6 +4,7 @@ import {deflateSync} from "fflate";
 import {readdirSync, readFileSync, writeFileSync} from "node:fs";
 import {basename} from "node:path";
 import {fileURLToPath} from "node:url";
+import {runnerImport} from "vite";
 
 const start_name = "tailgate",
   start_samples = 200,
@@ -82,7 +83,7 @@ function start_of(session, problem) {
   };
   const tau = best_tau(session);
   const {linkage, states} = session.linkage(...tau);
-  stored.linkage = JSON.parse(linkage);
+  stored.linkage = linkage_of(JSON.parse(linkage));
   stored.states = packed_numbers(states, state_width);
   const {input, output} = session.live(...tau);
   stored.live = {input: packed_bits(input), output: packed_bits(output)};
@@ -109,7 +110,7 @@ function thumbnail_of(session, problem) {
   }
   const tau = map && best_tau(session); // a chain is not searched for here
   if (tau) {
-    const {type, input, output, six_bar, spherical} = JSON.parse(session.linkage(...tau).linkage);
+    const {type, input, output, six_bar, spherical} = linkage_of(JSON.parse(session.linkage(...tau).linkage));
     const ends = spherical ? ["center_homogeneous", "circle_homogeneous"] : ["center", "circle"],
       pivots = [input, output].flatMap((dyad) => ends.map((end) => dyad[end]));
     if (!six_bar)
@@ -118,6 +119,7 @@ function thumbnail_of(session, problem) {
   return thumbnail;
 }
 
+const {linkage_of} = (await runnerImport(fileURLToPath(new URL("../src/engine/adapter.ts", import.meta.url)))).module;
 const engine = await loaded_engine();
 const session = new engine.Session();
 const all = problems();
