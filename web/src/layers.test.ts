@@ -55,7 +55,11 @@ describe("the frame", () => {
   const kinds = readdirSync(join(root, "tasks"), {withFileTypes: true})
     .filter((entry) => entry.isDirectory())
     .map(({name}) => name);
-  const frame = files.filter((file) => !kinds.some((kind) => file.startsWith(`tasks/${kind}/`)));
+  // What the engine says of all of them: in its own words, and as the page still takes it.
+  const contract = ["engine/problem.ts", "engine/adapter.ts"];
+  const frame = files.filter(
+    (file) => !kinds.some((kind) => file.startsWith(`tasks/${kind}/`)) && !contract.includes(file),
+  );
 
   it("has kinds of tasks to know nothing of", () =>
     expect(kinds).toEqual([

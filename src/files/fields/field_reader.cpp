@@ -62,6 +62,15 @@ void FieldReader::list_keys_of(std::span<const Alternative> alternatives) {
   for (const Alternative& each : alternatives) each.members(*this);
 }
 
+bool FieldReader::misspells_one_of(std::span<const Alternative> alternatives) const {
+  if (mistakes_.size() == mistakes_before_) return false;
+  std::vector<std::string_view> keys;
+  for (const Alternative& each : alternatives) keys.insert(keys.end(), each.keys.begin(), each.keys.end());
+  for (const auto& [key, value] : at_.json().items())
+    if (!nearest_name(key, keys).empty()) return true;
+  return false;
+}
+
 void FieldReader::one_of(std::size_t /*current*/, std::span<const Alternative> alternatives, const OneOf& wrong) {
   std::vector<std::pair<const Alternative*, std::string_view>> there;
   for (const Alternative& each : alternatives)
@@ -70,9 +79,8 @@ void FieldReader::one_of(std::size_t /*current*/, std::span<const Alternative> a
   if (there.empty() && wrong.none_code.empty()) there.emplace_back(&alternatives.back(), "");
   if (there.size() == 1 || (there.size() > 1 && wrong.two_code.empty())) return there[0].first->members(*this);
   if (is_listing_) return list_keys_of(alternatives);
-  if (there.empty() && mistakes_.size() == mistakes_before_)
-    return at_.mistake(std::string(wrong.none_code), std::string(wrong.none));
-  if (there.empty()) return;  // misspelled, it seems
+  if (there.empty() && misspells_one_of(alternatives)) return;
+  if (there.empty()) return at_.mistake(std::string(wrong.none_code), std::string(wrong.none));
   const bool tells = wrong.two.find('{') != std::string_view::npos;
   const std::string first = in_quotes(there[0].second), second = in_quotes(there[1].second);
   const std::string message =

@@ -45,6 +45,8 @@ class FieldReader final : public FieldVisitor {
  private:
   bool read_at(JsonValue place, const Visit& value);
   bool has(std::string_view key) const;
+  /// A key is none that is known here, and like one of theirs.
+  bool misspells_one_of(std::span<const Alternative> alternatives) const;
   void look_for_foreign_keys(const Visit& members);
   void list_keys_of(std::span<const Alternative> alternatives);
 

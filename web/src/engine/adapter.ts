@@ -89,8 +89,9 @@ export interface RankedReply extends Pick<LinkageReply, "tau" | "min_link_angle_
 const nowhere: Axis = [0, 0, 0];
 const no_defects: Defects = {order: false, branch: false, circuit: false};
 
-const longest = (lengths: Record<string, number>) => Math.max(...Object.values(lengths));
-const ratio = (lengths: Record<string, number>) => longest(lengths) / Math.min(...Object.values(lengths));
+const longest = (lengths: Record<string, number>) => Object.values(lengths).reduce((a, b) => Math.max(a, b));
+const shortest = (lengths: Record<string, number>) => Object.values(lengths).reduce((a, b) => Math.min(a, b));
+const ratio = (lengths: Record<string, number>) => longest(lengths) / shortest(lengths);
 
 function link_between(coordinate: number, center: Point, circle: Point): GroundedLink {
   return {

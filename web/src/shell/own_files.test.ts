@@ -76,9 +76,9 @@ describe("an export that is opened", () => {
       ]);
       expect(session.set_problem(engine_text(problem!))).toBe(true);
       const found = session.linkage(0, 0),
-        linkage = JSON.parse(found.linkage);
-      expect(found.states.length, name).toBeGreaterThan(100 * (linkage.drive.width ?? 13));
-      expect(linkage.rates.rows.length).toBe(found.states.length / (linkage.drive.width ?? 13));
+        {travel, rates} = JSON.parse(found.linkage);
+      expect(found.states.length, name).toBeGreaterThan(100 * (travel.width ?? 13));
+      expect(rates.rows.length).toBe(found.states.length / (travel.width ?? 13));
     }
   });
   it("is a linkage with comments, by its lengths, pivots, axes or angles", () => {
