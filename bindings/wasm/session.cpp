@@ -128,7 +128,7 @@ std::string PageSession::exported(MapPoint place, std::string_view format) {
     return linkage ? linkwright::exported(*linkage, format) : "";
   }
   constexpr bool with_region = false;
-  const auto answer = asked().answer_at(place);
+  const auto answer = asked().result_at(place);
   return answer ? write_result(asked().problem(), *answer, with_region) : "";
 }
 

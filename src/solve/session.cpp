@@ -35,7 +35,7 @@ KindAnswer listing(const KindAnswer& known, Solution found) {
   answer.requirements = known.requirements;
   answer.options = known.options;
   answer.reason = {"picked", "One linkage, picked on the map.", {}};
-  answer.linkages = {std::move(found)};
+  answer.linkages.push_back(std::move(found));
   return answer;
 }
 
@@ -56,9 +56,11 @@ Session& Session::operator=(Session&&) noexcept = default;
 void Session::set(Problem problem) {
   const bool unchanged = problem.task == problem_.task &&
                          std::visit([&](const auto& known) { return serves(known, problem_, problem); }, known_);
+  std::optional<Answer> known;
+  if (!unchanged) known = begin(problem);  // before anything is replaced: it may throw
   problem_ = std::move(problem);
-  if (!unchanged) {
-    known_ = begin(problem_);
+  if (known) {
+    known_ = *std::move(known);
     drawn_.reset();
     mapped_.reset();
   }
@@ -331,11 +333,19 @@ std::optional<Answer> Session::answer_at(MapPoint place) const {
         constexpr bool verify = true;
         auto found = solution_at(known, place, verify);
         if (!found) return std::nullopt;
-        Answer answer = listing(known, *std::move(found));
-        report_tolerances(answer);
-        return answer;
+        return listing(known, *std::move(found));
       },
       known_);
+}
+
+std::optional<Answer> Session::result_at(MapPoint place) const {
+  auto answer = answer_at(place);
+  if (!answer) return std::nullopt;
+  std::optional<MapPoint>& at = findings(*answer).options.at;
+  at = place;  // what is picked is not left out
+  report_tolerances(*answer);
+  at.reset();
+  return answer;
 }
 
 std::optional<LinkageOutput> Session::output_at(MapPoint place) const {

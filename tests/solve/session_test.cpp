@@ -24,6 +24,7 @@ const char* const examples[] = {"tailgate",   "latch",        "nose_gear",      
                                 "bin_lid"};
 
 TEST(Session, CountsWhatSolveCounts) {
+  int compared = 0;
   for (const char* name : examples) {
     const Problem problem = example(std::string(name) + ".json", samples);
     const Answer solved = testing::answer_of(problem);
@@ -33,7 +34,9 @@ TEST(Session, CountsWhatSolveCounts) {
     ASSERT_NE(map, nullptr) << name;
     EXPECT_EQ(map->census.meeting, findings(solved).meeting_requirements) << name;
     EXPECT_EQ(map->counts.types, findings(solved).counts.types) << name;
+    ++compared;
   }
+  EXPECT_GT(compared, 4);
 }
 
 TEST(Session, ALinkageIsWhatItsCellSays) {
@@ -86,6 +89,27 @@ TEST(Session, ImprovesVerifiesAndTracesTheBest) {
   const MapPoint aside = {place.input + 0.01, place.output};
   const auto better = session.improved(aside);
   EXPECT_TRUE(better || session.linkage(aside).fails != 0);
+}
+
+TEST(Session, ListsWhatIsPickedWhateverItMissesUnderTolerances) {
+  Problem problem = example("tailgate.json", samples);
+  const Answer usual = testing::answer_of(problem);
+  const auto& known = std::get<MotionAnswer>(usual);
+  const MapPoint place = known.point_of(known.linkages.front());
+  Tolerances& tolerances = problem.options.tolerances.emplace();
+  tolerances.length = LengthTolerances::all(1);
+  tolerances.samples = 1000;
+  problem.requirements.max_tolerance_error = 1e-6;
+  Session session(problem);
+  EXPECT_NE(session.linkage(place).fails, 0);
+  const auto answer = session.answer_at(place), result = session.result_at(place);
+  ASSERT_TRUE(answer && result);
+  EXPECT_EQ(linkage_count(*answer), 1u);
+  EXPECT_TRUE(findings(*answer).tolerance.empty());
+  EXPECT_EQ(linkage_count(*result), 1u);
+  ASSERT_EQ(findings(*result).tolerance.size(), 1u);
+  EXPECT_TRUE(findings(*result).tolerance[0]);
+  EXPECT_FALSE(findings(*result).options.at);
 }
 
 TEST(Session, SaysWhyThereIsNoMap) {

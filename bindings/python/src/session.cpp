@@ -117,7 +117,7 @@ class LockedSession {
     std::string result, reason;
     const Travel travel = ask([&](Session& session) {
       if (!session.family()) return Travel{};
-      if (const auto answer = session.answer_at({input, output})) result = result_of(session, *answer);
+      if (const auto answer = session.result_at({input, output})) result = result_of(session, *answer);
       PickedLinkage picked = session.linkage({input, output});
       if (picked.reason) reason = picked.reason->message;
       return std::move(picked.travel);
@@ -137,9 +137,10 @@ class LockedSession {
   }
   std::string exported(double input, double output, const std::string& format) {
     return ask([&](const Session& session) -> std::string {
-      const auto answer = session.answer_at({input, output});
+      const bool is_result = format == "result";
+      const auto answer = is_result ? session.result_at({input, output}) : session.answer_at({input, output});
       if (!answer) return "";
-      if (format == "result") return result_of(session, *answer);
+      if (is_result) return result_of(session, *answer);
       return linkwright::exported(stored_linkages(session.problem(), *answer).front(), format);
     });
   }

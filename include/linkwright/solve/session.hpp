@@ -134,6 +134,8 @@ class Session {
   [[nodiscard]] std::optional<MapPoint> improved(MapPoint place) const;
   /// The answer that lists the linkage at a place alone, driven through; nothing where there is none.
   [[nodiscard]] std::optional<Answer> answer_at(MapPoint place) const;
+  /// The same for a result file: with what tolerances do to it, whatever it misses.
+  [[nodiscard]] std::optional<Answer> result_at(MapPoint place) const;
   /// How the linkage at a place lies in the positions of the task, its turning length set; nothing without tolerances.
   [[nodiscard]] std::optional<LinkageOutput> output_at(MapPoint place) const;
   /// The best of the whole map, by solve(). Yields by fewer samples.
