@@ -124,7 +124,7 @@ PoseVisits pose_visits(const FourBar& four_bar, std::span<const PrescribedPose> 
   PoseVisits visits;
   const LinkLengths lengths = four_bar.lengths();
   const std::vector<AngleRange> ranges = are_links(lengths) ? input_ranges(lengths) : std::vector<AngleRange>{};
-  if (ranges.empty()) return visits;
+  if (ranges.empty() || poses.empty()) return visits;
   const LinkageType type = linkage_type(lengths);
   std::vector<double> input_angles;
   for (const PrescribedPose& pose : poses) {

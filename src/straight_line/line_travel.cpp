@@ -47,7 +47,7 @@ FourBar carried(const FourBar& bars, const Pose& from, const Pose& to) {
 
 PoseVisits visits_of(const StraightLineSolution& found, const LinePoses& of_line) {
   const auto& [poses, lies_in] = of_line;
-  if (poses.empty()) return {};
+  if (poses.empty()) return {};  // there is no first one
   return pose_visits(carried(found.linkage.bars, poses[lies_in].pose, poses.front().pose), poses);
 }
 

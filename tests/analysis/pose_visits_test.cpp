@@ -36,6 +36,12 @@ std::string text_of(const Notice& notice, std::size_t value) {
                                               : std::get<std::string>(held);
 }
 
+TEST(PoseVisits, OfNoPosesAreNone) {
+  const PoseVisits visits = pose_visits(passing(crank_rocker, {{0.5}, {1.5}}).first, {});
+  EXPECT_TRUE(visits.four_bars.empty());
+  EXPECT_TRUE(visits.order.empty());
+}
+
 TEST(PoseVisits, ACrankMeetsThePosesInTheOrderOfItsTurn) {
   const auto [bars, poses] = passing(crank_rocker, {{0.5}, {1.5}, {1.0}, {2.5}});
   const PoseVisits visits = pose_visits(bars, poses);

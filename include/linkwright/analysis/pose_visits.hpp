@@ -35,7 +35,7 @@ struct PoseVisits {
   std::vector<bool> circuit_sign;  ///< by pose: equal on one circuit
 };
 
-/// `poses` as in find_defects; links of positive length, or all is empty.
+/// `poses` as in find_defects, links of positive length; all is empty where there are none.
 [[nodiscard]] PoseVisits pose_visits(const FourBar& four_bar, std::span<const PrescribedPose> poses);
 
 /// Why the drive does not do the task: circuit_defect {from, to}, branch_defect {from, to} (poses on either side of the
