@@ -79,7 +79,7 @@ SixBarShape shape_of(const SixBar& six_bar) {
 }
 
 double SixBarRating::versine() const {
-  const double sine = drive.min_sine;
+  const double sine = drive.min_sine > 1 ? 1 : drive.min_sine;
   return sine * sine / (1 + std::sqrt((1 - sine) * (1 + sine)));
 }
 

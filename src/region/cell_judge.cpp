@@ -1,6 +1,7 @@
 #include "linkwright/region/cell_judge.hpp"
 
 #include <algorithm>
+#include <cmath>
 #include <limits>
 
 #include "linkwright/core/tolerance.hpp"
@@ -67,14 +68,16 @@ FailureBits CellJudge::failures(LinkageType type, Defects defects) const {
   return static_cast<FailureBits>(of_type | (defects.none() ? 0u : of_defects_));
 }
 
-FailureBits CellJudge::failures(const Cell& cell) const {
+FailureBits CellJudge::failures(const Cell& cell, bool unknown_passes) const {
   static const double dead = versine_of_angle(tolerance::dead_at_position);
   unsigned failed = failures(cell.type, cell.defects);
   if (transmission_ && cell.values[*transmission_] < dead) failed |= of_defects_;
   for (const Bound& bound : bounds_) {
     const double limit = bound.per ? bound.limit * cell.values[*bound.per] : bound.limit;
     const double value = cell.values[bound.of];
-    if (bound.is_least() ? value < limit : value > limit) failed |= bound.bit;
+    const bool is_met = bound.is_least() ? value >= limit : value <= limit;
+    const bool is_unknown = std::isnan(value) || std::isnan(limit);
+    if (!is_met && !(is_unknown && unknown_passes)) failed |= bound.bit;
   }
   for (const Place& place : places_)
     if (!place.holds(cell.pivots)) failed |= place.bit;

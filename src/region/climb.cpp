@@ -26,7 +26,7 @@ Evaluator::Evaluator(const LinkageFamily& family, const Requirements& requiremen
 
 Evaluator::CandidateAt Evaluator::candidates() const {
   return [this, cell_at = family_.cells(requirements_.respect_direction),
-          is_worth_it = std::function<bool(const Cell&)>([this](const Cell& cell) { return judge_.passes(cell); })](
+          is_worth_it = std::function<bool(const Cell&)>([this](const Cell& cell) { return judge_.may_pass(cell); })](
              MapPoint place) -> std::optional<Candidate> {
     if (!is_within(family_, window_, place)) return std::nullopt;
     const auto cell = cell_at(place, is_worth_it);

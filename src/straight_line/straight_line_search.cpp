@@ -83,7 +83,7 @@ class Wish {
 
   // Of a type and of proportions that are asked for, whatever its size.
   [[nodiscard]] bool has_shape(const TracingFourBar& linkage) const {
-    return shape_.passes(line_cell(linkage, LineWorth::unknown()));
+    return shape_.may_pass(line_cell(linkage, LineWorth::unknown()));
   }
   // Of the strip over the longest link, below which a linkage is too long or, by what ranks, not among the best.
   [[nodiscard]] double least_strip() const { return wanted_.stroke / requirements_.max_length.value_or(infinite); }

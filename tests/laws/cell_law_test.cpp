@@ -19,7 +19,8 @@ struct Compared {
 constexpr double single = 1e-5, estimated = 1e-2;
 
 bool agree(double one, double of_map, double within) {
-  return !std::isfinite(one) || std::abs(one - of_map) <= within * (std::abs(of_map) + 1e-3);
+  if (!std::isfinite(one)) return within == estimated || !std::isfinite(of_map);
+  return std::abs(one - of_map) <= within * (std::abs(of_map) + 1e-3);
 }
 
 void compare(const LinkageFamily& family, const RegionMap& map, bool respect_direction, double within,

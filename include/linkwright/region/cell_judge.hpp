@@ -47,11 +47,14 @@ class CellJudge {
   /// Bits of the requirements that are failed by type and defects; all of them where degenerate, and by defects where
   /// the class cannot let them pass.
   [[nodiscard]] FailureBits failures(LinkageType type, Defects defects) const;
-  /// What a cell fails of what is known of it.
-  [[nodiscard]] FailureBits failures(const Cell& cell) const;
+  /// What a cell fails; a number that is none (NaN) meets no limit.
+  [[nodiscard]] FailureBits failures(const Cell& cell) const { return failures(cell, false); }
   [[nodiscard]] bool passes(const Cell& cell) const { return failures(cell) == 0; }
+  /// Of a cell of which not all numbers are known yet: it passes by those that are.
+  [[nodiscard]] bool may_pass(const Cell& cell) const { return failures(cell, true) == 0; }
 
  private:
+  [[nodiscard]] FailureBits failures(const Cell& cell, bool unknown_passes) const;
   void add(const Criterion& asked, FailureBits bit, const Requirements& wanted, std::span<const Measure> measures);
   void add_bound(const Criterion& asked, FailureBits bit, double limit, std::span<const Measure> measures);
 
