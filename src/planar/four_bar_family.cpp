@@ -4,6 +4,7 @@
 #include <array>
 #include <cmath>
 #include <limits>
+#include <utility>
 
 #include "linkwright/core/tolerance.hpp"
 #include "linkwright/planar/four_bar_map.hpp"
@@ -77,14 +78,7 @@ LinkageFamily::CellAt FourBarFamily::cells(bool respect_direction) const {
     known = links;
     Cell cell = still_cell(place, *bars, frame());
     if (cell.type == LinkageType::degenerate || !is_worth_it(cell)) return std::nullopt;
-    const DefectReport report = find_defects(*bars, working_poses(place, *bars), respect_direction);
-    if (report.type == LinkageType::degenerate) return std::nullopt;
-    cell.type = report.type;
-    cell.hill = static_cast<std::size_t>(cell.type);
-    cell.defects = report.defects;
-    cell.values[0] = versine_of_angle(report.min_transmission_angle);
-    cell.values[1] = versine_of_angle(report.min_transmission_angle_full_turn);
-    return cell;
+    return driven(std::move(cell), find_defects(*bars, working_poses(place, *bars), respect_direction));
   };
 }
 

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 
+#include "linkwright/analysis/defects.hpp"
 #include "linkwright/region/axis_arcs.hpp"
 
 namespace linkwright {
@@ -18,6 +19,16 @@ std::vector<double> LinkageFamily::samples(Side side, int count, Spacing /*spaci
   for (int i = 0; i < count && along.coordinate_length() > 0; ++i)
     coordinates.push_back(along.coordinate_length() * (i + 0.5) / count);
   return coordinates;
+}
+
+std::optional<Cell> driven(Cell cell, const DefectReport& report) {
+  if (report.type == LinkageType::degenerate) return std::nullopt;
+  cell.type = report.type;
+  cell.hill = static_cast<std::size_t>(report.type);
+  cell.defects = report.defects;
+  cell.values[0] = versine_of_angle(report.min_transmission_angle);
+  cell.values[1] = versine_of_angle(report.min_transmission_angle_full_turn);
+  return cell;
 }
 
 std::optional<Cell> LinkageFamily::cell(MapPoint place, bool respect_direction) const {

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <utility>
 
 #include "linkwright/core/angle.hpp"
 #include "linkwright/spherical/spherical_defects.hpp"
@@ -61,14 +62,7 @@ LinkageFamily::CellAt SphericalFamily::cells(bool respect_direction) const {
     const SphericalFourBar bars = four_bar(*links);
     Cell cell = still_spherical_cell(place, bars);
     if (cell.type == LinkageType::degenerate || !is_worth_it(cell)) return std::nullopt;
-    const DefectReport report = find_defects(bars, orientations(place, bars), respect_direction);
-    if (report.type == LinkageType::degenerate) return std::nullopt;
-    cell.type = report.type;
-    cell.hill = static_cast<std::size_t>(cell.type);
-    cell.defects = report.defects;
-    cell.values[0] = versine_of_angle(report.min_transmission_angle);
-    cell.values[1] = versine_of_angle(report.min_transmission_angle_full_turn);
-    return cell;
+    return driven(std::move(cell), find_defects(bars, orientations(place, bars), respect_direction));
   };
 }
 

@@ -18,6 +18,8 @@
 
 namespace linkwright {
 
+struct DefectReport;
+
 /// A few hinges in position 1, user's frame: of planar linkages their points in the plane z = 0, of spherical ones unit
 /// vectors along their axes.
 class Hinges {
@@ -51,6 +53,10 @@ struct Cell : MapCell {
   double change_point_margin = 1;  ///< how far from another type, as a share of the linkage's size
   std::size_t hill = 0;            ///< a climb stays where it is the same: the type, if not another number
 };
+
+/// With what its linkage was found to do in the positions of the task, of whose measures the transmission angle's over
+/// travel and over a full turn come first; nothing where the linkage is degenerate.
+[[nodiscard]] std::optional<Cell> driven(Cell cell, const DefectReport& report);
 
 /// The pivots of a map's linkages: of its rows and its columns, where each grounded link depends on its own coordinate
 /// alone, otherwise of its cells.
