@@ -73,9 +73,10 @@ struct Pair {
   Number each = {};
   std::string_view name = "", about = "";
 };
-/// Three of them.
+/// Three of them. `is_bounded`: readers themselves refuse what is beyond largest_quantity.
 struct Vector {
   Number each = {};
+  bool is_bounded = false;
   std::string_view name = "", about = "";
 };
 struct List {
@@ -85,7 +86,7 @@ struct List {
   std::size_t most_read = std::numeric_limits<std::size_t>::max();
   std::string_view code = "", sentence = "";
   /// Said where all could be read and are not `most`, on {count}.
-  std::string_view length_code = "", length_sentence = "";
+  std::string_view length_code = "", length_sentence = "", sentence_of_one = "";
   bool on_lines = false;                   ///< an element a line
   bool is_of_length = false;               ///< of another length it is of another type
   std::string_view name = "", about = "";  ///< of such lists in the schema

@@ -24,7 +24,7 @@ void fields(FieldVisitor& v, Cone& cone) {
   v.object({"cone", "Lines at most half_angle_deg from an axis, in either sense."}, [&](FieldVisitor& to) {
     to.required(
         Field("axis", "[x, y, z] of any length, not null.").missing({"three_coordinates", "three numbers [x, y, z]"}),
-        cone.axis, Vector{.each = bounded});
+        cone.axis, Vector{.each = bounded, .is_bounded = true});
     to.required("half_angle_deg", cone.half_angle, Number{.least = 0, .most = 90, .above = true, .is_angle = true});
   });
 }
@@ -42,11 +42,13 @@ void visit_types(FieldVisitor& v, std::vector<LinkageType>& types) {
   const Names<LinkageType> names = {named_types()};
   constexpr LinkageType unread = LinkageType::degenerate;
   const auto type = [&](FieldVisitor& to, std::size_t i) {
-    if (i == types.size()) types.push_back(unread);
-    visit(to, types[i], names);
-    const auto here = types.begin() + static_cast<std::ptrdiff_t>(i);
-    const std::string given = in_quotes(name(*here));
-    if (*here != unread && std::find(types.begin(), here, *here) != here)
+    if (i < types.size()) return visit(to, types[i], names);
+    LinkageType read = unread;
+    visit(to, read, names);
+    const std::string given = in_quotes(name(read));
+    if (std::find(types.begin(), types.end(), read) == types.end())
+      types.push_back(read);
+    else if (read != unread)
       to.mistake("repeated_type", fmt::format("{} is listed twice; keep one", given), {{"given", given}});
   };
   bool is_there = true;
@@ -108,6 +110,13 @@ constexpr std::array<Described, requirement_kind_count> described = {{
      "off where it is not given.",
      {.least = 0, .most = 1}},
 }};
+
+constexpr bool are_described_by_kind() {
+  for (std::size_t i = 0; i < described.size(); ++i)
+    if (described[i].kind != static_cast<RequirementKind>(i)) return false;
+  return true;
+}
+static_assert(are_described_by_kind());
 
 struct RequirementFields {
   FieldVisitor& v;

@@ -22,6 +22,15 @@ TEST(ProblemSchema, IsWhatTheFieldsSayAndTheRulesBetweenThem) {
   expect_generated("/schema/problem.schema.json", readable(problem_schema(rules)) + "\n");
 }
 
+// A rule of a definition that has another name would make one that nothing refers to.
+TEST(ProblemSchema, HasNoDefinitionThatNothingRefersTo) {
+  const auto rules = FieldSchema::Json::parse(testing::text_of(root + "/src/files/fields/problem_rules.json"));
+  const auto schema = problem_schema(rules);
+  const std::string text = schema.dump();
+  for (const auto& [name, definition] : schema.at("$defs").items())
+    EXPECT_NE(text.find("\"#/$defs/" + name + "\""), std::string::npos) << name;
+}
+
 TEST(ProblemSchema, IsInTheTypesOfThePage) {
   expect_generated(
       "/web/src/engine/problem.ts",

@@ -67,7 +67,7 @@ bool FieldReader::misspells_one_of(std::span<const Alternative> alternatives) co
   std::vector<std::string_view> keys;
   for (const Alternative& each : alternatives) keys.insert(keys.end(), each.keys.begin(), each.keys.end());
   for (const auto& [key, value] : at_.json().items())
-    if (!nearest_name(key, keys).empty()) return true;
+    if (std::find(known_.begin(), known_.end(), key) == known_.end() && !nearest_name(key, keys).empty()) return true;
   return false;
 }
 
@@ -102,7 +102,8 @@ void FieldReader::switch_on(const Field& field, std::size_t /*current*/, std::sp
   }
   for (const Case& each : cases)
     if (chosen == each.name && (each.with.empty() || has(each.with))) return each.members(*this);
-  if (is_listing_) others_ = OtherMembers::ignored;  // of what is not known nobody can tell
+  for (const Case& each : cases)
+    if (is_listing_) each.members(*this);  // one of them is meant
 }
 
 void FieldReader::orientation(GivenOrientation& orientation) {
@@ -127,13 +128,11 @@ void FieldReader::orientation(GivenOrientation& orientation) {
 }
 
 void FieldReader::look_for_foreign_keys(const Visit& members) {
-  const OtherMembers others = others_;
   is_listing_ = true;
   known_.clear();
   members(*this);
   is_listing_ = false;
-  if (std::exchange(others_, others) == OtherMembers::refused)
-    (void)JsonObject(at_, mistakes_, std::span<const std::string_view>(known_));
+  if (others_ == OtherMembers::refused) (void)JsonObject(at_, mistakes_, std::span<const std::string_view>(known_));
 }
 
 void FieldReader::object(const Object& /*described*/, const Visit& members) {
@@ -180,7 +179,10 @@ void FieldReader::list(const List& described, std::size_t /*count*/, const Visit
     ++index;
   });
   if (!described.length_code.empty() && index != described.most && mistakes_.size() == before)
-    refuse_length(at_, described.length_code, described.length_sentence, described.most);
+    refuse_length(
+        at_, described.length_code,
+        index == 1 && !described.sentence_of_one.empty() ? described.sentence_of_one : described.length_sentence,
+        described.most);
 }
 
 void FieldReader::number(double& value, const Number& described) {
@@ -222,7 +224,7 @@ void FieldReader::pair(std::array<double, 2>& value, const Pair& described) {
 }
 
 void FieldReader::vector(Vector3& value, const Vector& described) {
-  const auto read = described.each.most == largest_quantity ? read_bounded_vector(at_) : read_vector(at_);
+  const auto read = described.is_bounded ? read_bounded_vector(at_) : read_vector(at_);
   if (read) value = *read;
 }
 

@@ -68,29 +68,21 @@ static void orientation_fields(FieldVisitor& v, std::vector<PrescribedOrientatio
   v.required(Field("orientations").missing(missing), orientations, orientation_list());
 }
 
-namespace {
-
-void two_axes(FieldVisitor& v, std::array<Vector3, 2>& axes) {
-  std::size_t count = axes.size();
-  Vector3 more;
-  v.list({.what = {"two_axes", "a list of two axes [[x, y, z], [x, y, z]]"}, .least = 2, .most = 2, .name = "two_axes"},
-         count, [&](FieldVisitor& to, std::size_t i) {
-           to.vector(i < axes.size() ? axes[i] : more, vector_form);
-           count = i + 1;
-         });
-  if (count == axes.size()) return;
-  v.mistake("axis_count",
-            fmt::format("{} {} given; two belong here, the input's first", count, count == 1 ? "axis is" : "axes are"),
-            {{"count", count}});
+static List two_axes() {
+  return {.what = {"two_axes", "a list of two axes [[x, y, z], [x, y, z]]"},
+          .least = 2,
+          .most = 2,
+          .length_code = "axis_count",
+          .length_sentence = "{count} axes are given; two belong here, the input's first",
+          .sentence_of_one = "{count} axis is given; two belong here, the input's first",
+          .name = "two_axes"};
 }
-
-}  // namespace
 
 static void fields(FieldVisitor& v, GivenAxes& given) {
   const auto axes = [&](const char* key, GivenAxes::Kind kind) {
     return Alternative{{key}, {}, [&given, key, kind](FieldVisitor& of) {
                          given.kind = kind;
-                         of.member(key, true, [&](FieldVisitor& to) { two_axes(to, given.axes); });
+                         of.required(Field(key).missing("…"), given.axes, two_axes(), vector_form);
                        }};
   };
   const OneOf wrong = {"given_axes",

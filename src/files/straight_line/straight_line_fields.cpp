@@ -2,6 +2,8 @@
 
 #include "files/fields/forms.hpp"
 #include "files/problem_fields.hpp"
+#include "linkwright/core/angle.hpp"
+#include "linkwright/straight_line/symmetric_lambda.hpp"
 
 namespace linkwright {
 
@@ -81,7 +83,7 @@ void members(FieldVisitor& v, MixedContacts& given) {
 void members(FieldVisitor& v, SymmetricLambdas& given) {
   v.required("stroke", given.stroke, forms::length);
   v.optional(Field("crank_range_deg").null_for_none(), given.crank_range,
-             Number{.least = 0, .most = 269.3578920563158, .above = true, .below = true, .is_angle = true});
+             Number{.least = 0, .most = degrees(longest_lambda_range), .above = true, .below = true, .is_angle = true});
 }
 void members(FieldVisitor& v, Search& given) {
   v.required("stroke", given.stroke, forms::length);
