@@ -1,6 +1,5 @@
 #include "linkwright/function/free_parameter.hpp"
 
-#include <algorithm>
 #include <cmath>
 
 namespace linkwright {
@@ -21,11 +20,5 @@ double FreeParameter::place_of(double value) const {
 }
 
 std::string_view name(FreeParameter::Kind kind) { return free_names[static_cast<std::size_t>(kind)]; }
-
-std::optional<FreeParameter::Kind> free_parameter_named(std::string_view name) {
-  const auto found = std::find(free_names.begin(), free_names.end(), name);
-  if (found == free_names.end()) return std::nullopt;
-  return static_cast<FreeParameter::Kind>(found - free_names.begin());
-}
 
 }  // namespace linkwright

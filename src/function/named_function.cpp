@@ -19,12 +19,6 @@ constexpr std::string_view known_expressions =
     "x, x^p with a number p, sqrt, log (of base 10), ln, exp, sin, cos, tan (x in radians), sin_deg, cos_deg, tan_deg, "
     "each times a number and plus a number (2x, 0.5x^2 + 1)";
 
-template <class Name, std::size_t n>
-std::optional<Name> named(const std::array<std::string_view, n>& names, std::string_view name) {
-  const auto found = std::find(names.begin(), names.end(), name);
-  return found == names.end() ? std::nullopt : std::optional(static_cast<Name>(found - names.begin()));
-}
-
 bool is_whole(double value) { return value == std::floor(value); }
 
 std::string place(std::string_view key) { return fmt::format("task.function.{}", key); }
@@ -193,13 +187,7 @@ std::vector<double> monotone_slopes(const std::vector<std::array<double, 2>>& ro
 std::string_view name(TableInterpolation interpolation) {
   return interpolation_names[static_cast<std::size_t>(interpolation)];
 }
-std::optional<TableInterpolation> table_interpolation_named(std::string_view name) {
-  return named<TableInterpolation>(interpolation_names, name);
-}
 std::string_view name(PointSpacing spacing) { return spacing_names[static_cast<std::size_t>(spacing)]; }
-std::optional<PointSpacing> point_spacing_named(std::string_view name) {
-  return named<PointSpacing>(spacing_names, name);
-}
 
 bool ScaledFunction::exists_over(double low, double high) const {
   using Kind = Formula::Kind;

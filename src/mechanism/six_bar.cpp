@@ -38,12 +38,6 @@ bool has_order(const SixBar& six_bar, int body, std::size_t order) { return six_
 
 std::string_view name(SixBarTopology topology) { return topology_names[static_cast<std::size_t>(topology)]; }
 
-std::optional<SixBarTopology> six_bar_topology_named(std::string_view name) {
-  const auto* const found = std::find(topology_names.begin(), topology_names.end(), name);
-  if (found == topology_names.end()) return std::nullopt;
-  return static_cast<SixBarTopology>(found - topology_names.begin());
-}
-
 std::string text(BodyPair pair) { return fmt::format("{}-{}", pair.a, pair.b); }
 
 std::optional<BodyPair> body_pair_from(std::string_view text) {

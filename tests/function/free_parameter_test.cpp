@@ -14,8 +14,6 @@ TEST(FreeParameter, IsSpacedOverItsRange) {
   EXPECT_DOUBLE_EQ(output.at(0.25), 0);
   for (const FreeParameter& free : {scale, output})
     for (const double t : {0.0, 0.3, 1.0}) EXPECT_NEAR(free.place_of(free.at(t)), t, 1e-15);
-  for (const auto kind : {FreeParameter::Kind::output_scale, FreeParameter::Kind::pair_output})
-    EXPECT_EQ(free_parameter_named(name(kind)), kind);
 }
 
 }  // namespace

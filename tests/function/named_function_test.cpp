@@ -198,13 +198,5 @@ TEST(NamedFunction, ACubicTableHasNoCorners) {
     EXPECT_NEAR((scaled.y(x + h) - scaled.y(x)) / h, (scaled.y(x) - scaled.y(x - h)) / h, 1e-4) << x;
 }
 
-TEST(NamedFunction, NamesReadBack) {
-  for (const auto i : {TableInterpolation::monotone_cubic, TableInterpolation::linear})
-    EXPECT_EQ(table_interpolation_named(name(i)), i);
-  for (const auto s : {PointSpacing::chebyshev, PointSpacing::even, PointSpacing::given})
-    EXPECT_EQ(point_spacing_named(name(s)), s);
-  EXPECT_FALSE(point_spacing_named("odd"));
-}
-
 }  // namespace
 }  // namespace linkwright::named_function_test

@@ -45,10 +45,6 @@ TEST(SixBar, ReadsAndWritesItsNames) {
   EXPECT_EQ(text(BodyPair{0, 2}), "0-2");
   EXPECT_EQ(body_pair_from("4-3"), (BodyPair{4, 3}));
   for (const char* wrong : {"", "0", "02", "0-", "0-22", "0+2", "6-1", "a-b"}) EXPECT_FALSE(body_pair_from(wrong));
-  for (const auto topology : {SixBarTopology::watt_1, SixBarTopology::stephenson_1, SixBarTopology::stephenson_2,
-                              SixBarTopology::stephenson_3})
-    EXPECT_EQ(six_bar_topology_named(name(topology)), topology);
-  EXPECT_FALSE(six_bar_topology_named("watt_2"));
 }
 
 }  // namespace

@@ -3,7 +3,6 @@
 #include <array>
 #include <cstddef>
 #include <cstdint>
-#include <optional>
 #include <string_view>
 
 namespace linkwright {
@@ -26,7 +25,5 @@ struct FreeParameter {
 };
 /// Key in problem files: "output_scale", "pair_output".
 [[nodiscard]] std::string_view name(FreeParameter::Kind kind);
-/// The kind of a key; nothing where there is none of that name.
-[[nodiscard]] std::optional<FreeParameter::Kind> free_parameter_named(std::string_view name);
 
 }  // namespace linkwright

@@ -20,16 +20,12 @@ namespace linkwright {
 enum class TableInterpolation : std::uint8_t { monotone_cubic, linear };
 /// Key in problem files: "monotone_cubic", "linear".
 [[nodiscard]] std::string_view name(TableInterpolation interpolation);
-/// Nothing where there is none of that name.
-[[nodiscard]] std::optional<TableInterpolation> table_interpolation_named(std::string_view name);
 
 /// Where the n precision points lie in the range [a, b] of x. chebyshev: (a + b)/2 − (b − a)/2 · cos((2i − 1)π/2n),
 /// which keeps the structural error small (F. Freudenstein, 1955, after Chebyshev); even: n points, the first at a, the
 /// last at b; given: as listed.
 enum class PointSpacing : std::uint8_t { chebyshev, even, given };
 [[nodiscard]] std::string_view name(PointSpacing spacing);  ///< `list` for given ones
-/// Nothing where there is none of that name.
-[[nodiscard]] std::optional<PointSpacing> point_spacing_named(std::string_view name);
 
 /// A function y(x) that a linkage shall generate, and the two dials on which x and y are read.
 ///

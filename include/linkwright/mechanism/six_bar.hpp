@@ -17,8 +17,6 @@ namespace linkwright {
 /// of two binaries between them (II), or ternary (III).
 enum class SixBarTopology : std::uint8_t { watt_1, stephenson_1, stephenson_2, stephenson_3 };
 [[nodiscard]] std::string_view name(SixBarTopology topology);  ///< "watt_1", …
-/// The topology of a key; nothing where there is none of that name.
-[[nodiscard]] std::optional<SixBarTopology> six_bar_topology_named(std::string_view name);
 
 /// Two bodies joined by a link with a hinge at each end: 0 is the ground, 1, 2, 3 the guiding chain from the ground on
 /// (3 is the guided body), 4 the first added link.
