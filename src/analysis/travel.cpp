@@ -92,6 +92,7 @@ Travel travel_of(const SixBar& six_bar, std::span<const PrescribedPose> poses, c
     const auto met = static_cast<std::size_t>(pose);
     travel.state_of_position[met] = nearest_state(check, poses[met].pose);
   }
+  travel.states.reserve(check.states.size());
   for (const SixBarState& state : check.states) travel.states.push_back(travel_state(six_bar, state, sense));
   return travel;
 }
@@ -99,6 +100,7 @@ Travel travel_of(const SixBar& six_bar, std::span<const PrescribedPose> poses, c
 Travel travel_of(const SixBar& six_bar, std::span<const PrescribedPose> poses, const SixBarMotion& motion) {
   const bool rocks = !motion.full_turn;
   Travel travel{hinged(six_bar), {}, std::vector<int>(poses.size(), -1), {}, motion.full_turn, rocks, rocks};
+  travel.states.reserve(motion.states.size());
   for (const SixBarMotionState& state : motion.states) {
     if (state.place.pose >= 0)
       travel.state_of_position[static_cast<std::size_t>(state.place.pose)] = static_cast<int>(travel.states.size());

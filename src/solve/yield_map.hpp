@@ -17,7 +17,7 @@ class YieldMap {
   /// Of a map of that many cells, of which those of `wanted` are to be sampled.
   YieldMap(std::size_t rows, std::size_t columns, std::vector<std::uint8_t> wanted);
 
-  /// Samples the next so many cells; `row_of` gives coordinates to places.
+  /// Samples the next so many cells, `input` and `output` being the coordinates of the rows and columns.
   void advance(std::size_t cells, const CellMeasure& yield, std::span<const double> input,
                std::span<const double> output);
 

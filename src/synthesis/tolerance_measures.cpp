@@ -42,9 +42,11 @@ class OutputError : public CellMeasure {
     return [this, &map, output_of = family_.outputs_of(map)](std::size_t row, std::span<float> values) {
       for (std::size_t column = 0; column < values.size(); ++column) {
         const bool is_whole = map.type(map.index(row, column)) != LinkageType::degenerate;
-        const auto output = is_whole ? output_of(row, column) : std::nullopt;
+        auto output = is_whole ? output_of(row, column) : std::nullopt;
         values[column] =
-            output ? static_cast<float>(error_of(with_turning_length(*output, turning_length()), tolerances_)) : 0.0F;
+            output
+                ? static_cast<float>(error_of(with_turning_length(*std::move(output), turning_length()), tolerances_))
+                : 0.0F;
       }
     };
   }
