@@ -11,10 +11,10 @@
 #include <string>
 #include <vector>
 
+#include "attitude/finite_rotation.hpp"
+#include "attitude/nearest_rotation.hpp"
 #include "linkwright/attitude/axis_angle.hpp"
 #include "linkwright/attitude/euler_angles.hpp"
-#include "linkwright/attitude/finite_rotation.hpp"
-#include "linkwright/attitude/nearest_rotation.hpp"
 #include "linkwright/attitude/rodrigues.hpp"
 #include "linkwright/attitude/rotation_vector.hpp"
 

@@ -1,4 +1,4 @@
-# The shapes of data/atlas/straight_lines.csv as rows of C++ for src/straight_line/line_atlas.cpp.
+# The shapes of data/atlas/straight_lines.csv as rows of C++ for src/straight_line/line_estimate.cpp.
 set(line_atlas_table "${PROJECT_SOURCE_DIR}/data/atlas/straight_lines.csv")
 set_property(DIRECTORY APPEND PROPERTY CMAKE_CONFIGURE_DEPENDS "${line_atlas_table}")
 

@@ -7,7 +7,7 @@
 #include <string_view>
 
 #include "fuzz_support.hpp"
-#include "linkwright/drawing/attitude_drawing.hpp"
+#include "linkwright/drawing/svg_drawing.hpp"
 #include "linkwright/files/angular_motion_file.hpp"
 #include "linkwright/files/displacement_file.hpp"
 #include "linkwright/files/link_chain_file.hpp"

@@ -10,9 +10,9 @@
 #include <variant>
 #include <vector>
 
+#include "files/listed_problem.hpp"
 #include "fuzz_support.hpp"
 #include "linkwright/files/linkage_file.hpp"
-#include "linkwright/files/listed_problem.hpp"
 #include "linkwright/files/problem_file.hpp"
 #include "linkwright/files/result_file.hpp"
 #include "linkwright/files/six_bar_file.hpp"

@@ -3,19 +3,16 @@
 #include <fmt/format.h>
 
 #include "commands.hpp"
-#include "instant_report.hpp"
-#include "linkage_report.hpp"
 #include "linkwright/core/angle.hpp"
 #include "linkwright/core/count_text.hpp"
-#include "linkwright/drawing/instant_drawing.hpp"
+#include "linkwright/drawing/svg_drawing.hpp"
 #include "linkwright/files/analysis_file.hpp"
 #include "linkwright/files/csv_table.hpp"
 #include "linkwright/files/problem_file.hpp"
 #include "linkwright/files/result_file.hpp"
 #include "linkwright/files/six_bar_file.hpp"
 #include "linkwright/files/text_file.hpp"
-#include "six_bar_report.hpp"
-#include "spherical_report.hpp"
+#include "report.hpp"
 
 namespace linkwright::cli {
 namespace {

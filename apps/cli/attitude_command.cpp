@@ -1,11 +1,11 @@
 #include <fmt/format.h>
 
 #include "attitude_flags.hpp"
-#include "attitude_report.hpp"
 #include "commands.hpp"
-#include "linkwright/drawing/attitude_drawing.hpp"
+#include "linkwright/drawing/svg_drawing.hpp"
 #include "linkwright/files/problem_file.hpp"
 #include "linkwright/files/text_file.hpp"
+#include "report.hpp"
 
 namespace linkwright::cli {
 namespace {

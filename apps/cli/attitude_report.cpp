@@ -1,5 +1,3 @@
-#include "attitude_report.hpp"
-
 #include <algorithm>
 #include <array>
 #include <cmath>
@@ -9,6 +7,7 @@
 #include "linkwright/core/angle.hpp"
 #include "linkwright/files/length_unit.hpp"
 #include "linkwright/files/number_text.hpp"
+#include "report.hpp"
 #include "text_table.hpp"
 
 namespace linkwright::cli {

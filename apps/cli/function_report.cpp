@@ -1,10 +1,9 @@
-#include "function_report.hpp"
-
 #include <algorithm>
 #include <fmt/format.h>
 
 #include "linkwright/core/angle.hpp"
 #include "linkwright/files/number_text.hpp"
+#include "report.hpp"
 #include "text_table.hpp"
 
 namespace linkwright::cli {

@@ -1,5 +1,3 @@
-#include "instant_report.hpp"
-
 #include <cmath>
 #include <fmt/format.h>
 
@@ -7,6 +5,7 @@
 #include "linkwright/core/angle.hpp"
 #include "linkwright/files/label.hpp"
 #include "linkwright/files/number_text.hpp"
+#include "report.hpp"
 #include "text_table.hpp"
 
 namespace linkwright::cli {

@@ -1,5 +1,3 @@
-#include "linkage_report.hpp"
-
 #include <algorithm>
 #include <cmath>
 #include <fmt/format.h>
@@ -11,9 +9,8 @@
 #include "linkwright/infinitesimal/instant_analysis.hpp"
 #include "linkwright/straight_line/line_measuring.hpp"
 #include "linkwright/straight_line/straight_path.hpp"
-#include "missed_words.hpp"
+#include "report.hpp"
 #include "text_table.hpp"
-#include "transmission_words.hpp"
 
 namespace linkwright::cli {
 namespace {

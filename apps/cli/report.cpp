@@ -6,21 +6,12 @@
 #include <optional>
 #include <vector>
 
-#include "four_bar_columns.hpp"
-#include "function_report.hpp"
 #include "linkwright/core/angle.hpp"
 #include "linkwright/files/label.hpp"
 #include "linkwright/files/length_unit.hpp"
 #include "linkwright/files/number_text.hpp"
 #include "linkwright/files/task_label.hpp"
-#include "pair_report.hpp"
-#include "requirement_report.hpp"
-#include "six_bar_report.hpp"
-#include "spherical_function_report.hpp"
-#include "spherical_report.hpp"
-#include "straight_line_report.hpp"
 #include "text_table.hpp"
-#include "tolerance_report.hpp"
 
 namespace linkwright::cli {
 namespace {

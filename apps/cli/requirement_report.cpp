@@ -1,11 +1,10 @@
-#include "requirement_report.hpp"
-
 #include <cmath>
 #include <fmt/format.h>
 
 #include "linkwright/core/angle.hpp"
 #include "linkwright/files/label.hpp"
 #include "linkwright/files/number_text.hpp"
+#include "report.hpp"
 
 namespace linkwright::cli {
 namespace {

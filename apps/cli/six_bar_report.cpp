@@ -1,21 +1,16 @@
-#include "six_bar_report.hpp"
-
 #include <algorithm>
 #include <array>
 #include <cmath>
 #include <fmt/format.h>
 #include <vector>
 
-#include "four_bar_columns.hpp"
 #include "linkwright/core/angle.hpp"
 #include "linkwright/files/label.hpp"
 #include "linkwright/files/length_unit.hpp"
 #include "linkwright/files/number_text.hpp"
 #include "linkwright/files/task_label.hpp"
-#include "missed_words.hpp"
-#include "requirement_report.hpp"
+#include "report.hpp"
 #include "text_table.hpp"
-#include "tolerance_report.hpp"
 
 namespace linkwright::cli {
 namespace {

@@ -1,20 +1,14 @@
-#include "spherical_report.hpp"
-
 #include <algorithm>
 #include <array>
 #include <fmt/format.h>
 #include <vector>
 
-#include "four_bar_columns.hpp"
 #include "linkwright/core/angle.hpp"
 #include "linkwright/files/label.hpp"
 #include "linkwright/files/number_text.hpp"
 #include "linkwright/files/task_label.hpp"
-#include "missed_words.hpp"
-#include "requirement_report.hpp"
+#include "report.hpp"
 #include "text_table.hpp"
-#include "tolerance_report.hpp"
-#include "transmission_words.hpp"
 
 namespace linkwright::cli {
 namespace {
@@ -262,6 +256,16 @@ std::string own_axes(const SphericalFourBar& bars) {
   return table.text();
 }
 
+std::string generator_counts(const Problem& problem, const SphericalFunctionAnswer& answer) {
+  const RegionCounts& counts = answer.counts;
+  if (counts.pairs == 0) return "";
+  const std::int64_t whole = counts.pairs - counts.types[static_cast<std::size_t>(LinkageType::degenerate)];
+  return wrapped(fmt::format("{} holds {} spherical four-bars. {} are free of defects; {} meet the requirements: {}.",
+                             function_map_words(*answer.family(), answer.region), grouped_text(whole),
+                             grouped_text(counts.defect_free), grouped_text(answer.meeting_requirements),
+                             requirement_words(answer.requirements, linkages(problem.task), problem.length_unit)));
+}
+
 }  // namespace
 
 std::string spherical_table(const std::vector<SphericalSolution>& all) {
@@ -287,6 +291,16 @@ std::string spherical_words(const StoredSphericalAnalysis& analysis, std::string
          "Angles of the links:\n" + table.text() + "Axes, unit vectors:\n" + own_axes(analysis.linkage.four_bar) +
          spherical_type_words(analysis) + spherical_range_words(analysis) + spherical_dead_points(analysis) +
          transmission_words(analysis, analysis.min_transmission_angle) + ratio_words(analysis) + met_words(analysis);
+}
+
+std::string spherical_function_report(const Problem& problem, const SphericalFunctionAnswer& answer) {
+  std::string text = generator_counts(problem, answer);
+  if (!answer.pairs.empty())
+    text += "\nAll linkages that satisfy the five precision points, best first:\n" + spherical_table(answer.pairs);
+  if (answer.linkages.empty()) return text + "\n" + wrapped(answer.reason.message);
+  const std::string errors = function_error_words(answer);
+  return text + "\nBest linkages:\n" + spherical_table(answer.linkages) + (errors.empty() ? "" : "\n" + errors) + "\n" +
+         wrapped("Linkages listed: " + precision_words(answer) + ".");
 }
 
 }  // namespace linkwright::cli

@@ -1,16 +1,12 @@
-#include "straight_line_report.hpp"
-
 #include <algorithm>
 #include <fmt/format.h>
 #include <vector>
 
-#include "four_bar_columns.hpp"
 #include "linkwright/core/angle.hpp"
 #include "linkwright/files/label.hpp"
 #include "linkwright/files/number_text.hpp"
-#include "requirement_report.hpp"
+#include "report.hpp"
 #include "text_table.hpp"
-#include "tolerance_report.hpp"
 
 namespace linkwright::cli {
 namespace {

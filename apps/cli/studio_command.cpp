@@ -3,7 +3,6 @@
 #include <fmt/format.h>
 
 #include "commands.hpp"
-#include "web_folder.hpp"
 #include "workbench_server.hpp"
 
 namespace linkwright::cli {

@@ -13,9 +13,9 @@
 #include "linkwright/core/count_text.hpp"
 #include "linkwright/core/parallel.hpp"
 #include "linkwright/files/number_text.hpp"
-#include "linkwright/sweep/sweep_block.hpp"
+#include "linkwright/sweep/run_sweep.hpp"
+#include "report.hpp"
 #include "sweep_file.hpp"
-#include "sweep_report.hpp"
 
 namespace linkwright::cli {
 namespace {

@@ -1,10 +1,9 @@
-#include "sweep_report.hpp"
-
 #include <algorithm>
 #include <fmt/format.h>
 
 #include "linkwright/core/count_text.hpp"
 #include "linkwright/files/number_text.hpp"
+#include "report.hpp"
 #include "text_table.hpp"
 
 namespace linkwright::cli {

@@ -3,7 +3,7 @@
 #include "linkwright/files/listed_study.hpp"
 #include "linkwright/files/result_file.hpp"
 #include "linkwright/files/tolerance_file.hpp"
-#include "tolerance_report.hpp"
+#include "report.hpp"
 
 namespace linkwright::cli {
 

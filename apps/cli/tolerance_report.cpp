@@ -1,5 +1,3 @@
-#include "tolerance_report.hpp"
-
 #include <algorithm>
 #include <cmath>
 #include <fmt/format.h>
@@ -9,6 +7,7 @@
 #include "linkwright/core/count_text.hpp"
 #include "linkwright/files/label.hpp"
 #include "linkwright/files/number_text.hpp"
+#include "report.hpp"
 #include "text_table.hpp"
 
 namespace linkwright::cli {

@@ -1,8 +1,8 @@
 #include <algorithm>
 #include <nlohmann/json.hpp>
 
+#include "attitude/finite_rotation.hpp"
 #include "linkwright/attitude/euler_rates.hpp"
-#include "linkwright/attitude/finite_rotation.hpp"
 #include "linkwright/attitude/screw.hpp"
 #include "linkwright/files/angular_motion_file.hpp"
 #include "linkwright/files/displacement_file.hpp"

@@ -1,7 +1,7 @@
 #include "drawing/curve_path.hpp"
 #include "files/instant_writer.hpp"
 #include "linkwright/files/linkage_file.hpp"
-#include "linkwright/infinitesimal/stationary_curve.hpp"
+#include "linkwright/infinitesimal/stationary_curvature.hpp"
 #include "replies.hpp"
 #include "reply_json.hpp"
 

@@ -4,11 +4,11 @@
 #include "files/problem_writer.hpp"
 #include "files/spherical/spherical_writer.hpp"
 #include "linkwright/core/angle.hpp"
-#include "linkwright/planar/function_family.hpp"
-#include "linkwright/spherical/spherical_function_family.hpp"
-#include "linkwright/straight_line/line_travel.hpp"
+#include "planar/function_family.hpp"
 #include "replies.hpp"
 #include "reply_json.hpp"
+#include "spherical/spherical_function_family.hpp"
+#include "straight_line/line_travel.hpp"
 
 namespace linkwright::wasm {
 namespace {

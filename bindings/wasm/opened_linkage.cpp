@@ -9,10 +9,10 @@
 #include "linkwright/files/csv_table.hpp"
 #include "linkwright/spherical/spherical_analysis.hpp"
 #include "linkwright/spherical/spherical_defects.hpp"
-#include "linkwright/spherical/spherical_travel.hpp"
 #include "replies.hpp"
 #include "reply_json.hpp"
 #include "solve/kinds.hpp"
+#include "spherical/spherical_travel.hpp"
 
 namespace linkwright::wasm {
 namespace {

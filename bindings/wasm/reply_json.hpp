@@ -6,7 +6,6 @@
 #include <vector>
 
 #include "files/json/json_writer.hpp"
-#include "linkwright/core/notice.hpp"
 #include "linkwright/core/result.hpp"
 #include "linkwright/planar/pose_conditions.hpp"
 

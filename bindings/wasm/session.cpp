@@ -6,8 +6,8 @@
 #include "linkwright/drawing/linkage_export.hpp"
 #include "linkwright/files/problem_file.hpp"
 #include "linkwright/files/result_file.hpp"
-#include "linkwright/machine/print_file.hpp"
-#include "linkwright/machine/simulator_file.hpp"
+#include "machine/print_file.hpp"
+#include "machine/simulator_file.hpp"
 
 namespace linkwright::wasm {
 

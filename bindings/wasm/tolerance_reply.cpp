@@ -4,10 +4,10 @@
 
 #include "files/tolerance_writer.hpp"
 #include "linkwright/core/angle.hpp"
-#include "linkwright/robust/sampled_positions.hpp"
 #include "linkwright/robust/tolerance_report.hpp"
 #include "replies.hpp"
 #include "reply_json.hpp"
+#include "robust/sampled_positions.hpp"
 
 namespace linkwright::wasm {
 namespace {

@@ -2,7 +2,7 @@
 
 // All that a program of yours needs of the library.
 
-#include "linkwright/analysis/drive_extremes.hpp"
+#include "linkwright/analysis/drive_table.hpp"
 #include "linkwright/analysis/linkage_type.hpp"
 #include "linkwright/analysis/position.hpp"
 #include "linkwright/core/angle.hpp"
@@ -10,8 +10,6 @@
 #include "linkwright/core/parallel.hpp"
 #include "linkwright/core/progress.hpp"
 #include "linkwright/core/result.hpp"
-#include "linkwright/drawing/attitude_drawing.hpp"
-#include "linkwright/drawing/instant_drawing.hpp"
 #include "linkwright/drawing/linkage_export.hpp"
 #include "linkwright/drawing/svg_drawing.hpp"
 #include "linkwright/drawing/tolerance_drawing.hpp"
@@ -48,9 +46,7 @@
 #include "linkwright/straight_line/straight_path.hpp"
 #include "linkwright/sweep/block_journal.hpp"
 #include "linkwright/sweep/run_sweep.hpp"
-#include "linkwright/sweep/sweep_block.hpp"
 #include "linkwright/sweep/sweep_plan.hpp"
 #include "linkwright/sweep/sweep_table.hpp"
 #include "linkwright/synthesis/answer.hpp"
-#include "linkwright/synthesis/problem.hpp"
 #include "linkwright/synthesis/solve.hpp"

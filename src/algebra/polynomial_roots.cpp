@@ -1,4 +1,4 @@
-#include "linkwright/algebra/polynomial_roots.hpp"
+#include "polynomial_roots.hpp"
 
 #include <algorithm>
 #include <array>

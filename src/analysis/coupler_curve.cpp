@@ -5,8 +5,9 @@
 
 #include "analysis/range_around.hpp"
 #include "analysis/triangle.hpp"
-#include "linkwright/analysis/transmission_angle.hpp"
 #include "linkwright/core/angle.hpp"
+#include "linkwright/core/tolerance.hpp"
+#include "transmission_angle.hpp"
 
 namespace linkwright {
 namespace {
@@ -55,6 +56,14 @@ bool can_be_driven(const FourBar& four_bar, Point traced, int samples) {
   return samples >= 2 && is_finite(traced) && are_links(four_bar.lengths());
 }
 
+// Beside the parallelogram of crank and arm, triangles similar to the coupler's: on the crank, and on the ground link.
+TracingFourBar cognate_on_input(const TracingFourBar& linkage) {
+  const auto& [center, pin, other_center, other_pin] = linkage.bars;
+  const Point arm = linkage.point - pin, shape = arm / (other_pin - pin);
+  return {{center, center + arm, center + shape * (other_center - center), center + arm + shape * (pin - center)},
+          linkage.point};
+}
+
 }  // namespace
 
 std::vector<MotionState> motion_cycle(const FourBar& four_bar, Point traced, int samples) {
@@ -85,6 +94,14 @@ std::vector<MotionState> motion_sweep(const FourBar& four_bar, Point traced, dou
   CycleRecorder recorder(four_bar, traced);
   recorder.drive(start, end, assembly_of(four_bar), samples);
   return recorder.take();
+}
+
+std::optional<std::array<TracingFourBar, 2>> cognates(const TracingFourBar& linkage) {
+  const FourBar& bars = linkage.bars;
+  const double shortest = std::min({bars.lengths().coupler, std::abs(linkage.point - bars.input_circle),
+                                    std::abs(linkage.point - bars.output_circle)});
+  if (!(shortest > tolerance::vanishing_link * linkage.longest())) return std::nullopt;
+  return std::array{cognate_on_input(linkage), cognate_on_input(linkage.swapped())};
 }
 
 }  // namespace linkwright

@@ -4,10 +4,13 @@
 #include <cmath>
 #include <optional>
 #include <tuple>
+#include <vector>
 
-#include "linkwright/analysis/transmission_angle.hpp"
-#include "linkwright/analysis/velocity.hpp"
+#include "analysis/triangle.hpp"
+#include "analysis/turn_extremes.hpp"
+#include "linkwright/analysis/position.hpp"
 #include "linkwright/core/angle.hpp"
+#include "transmission_angle.hpp"
 
 namespace linkwright {
 namespace {
@@ -115,6 +118,31 @@ DriveTable drive_table(const PoseVisits& visits, std::span<const PrescribedPose>
   const double output = two_pi * std::round(first.output_turn / two_pi);
   for (DriveState& state : table.states) turn_by(state, -coupler, -output);
   return table;
+}
+
+TransmissionPeak largest_transmission_angle(const LinkLengths& l, const AngleRange& range) {
+  if (!are_links(l)) return {};
+  // At right angles the diagonal's square is the sum of the other two.
+  const double cosine = (l.ground * l.ground + l.input * l.input - l.coupler * l.coupler - l.output * l.output) /
+                        (2 * l.ground * l.input);
+  std::vector<double> candidates = {range.from, range.to, 0, pi};
+  if (std::abs(cosine) <= 1) candidates.insert(candidates.end(), {std::acos(cosine), -std::acos(cosine)});
+  TransmissionPeak peak{0, range.from};
+  for (const double candidate : candidates) {
+    const double input = candidate + two_pi * std::ceil((range.from - candidate) / two_pi);
+    const auto there = input > range.to ? std::nullopt : assemble(l, input, Assembly::positive);
+    if (!there) continue;
+    if (const double angle = transmission_angle(l, *there); angle > peak.angle) peak = {angle, input};
+  }
+  return peak;
+}
+
+std::optional<RatioRange> output_rates_full_turn(const LinkLengths& lengths, Assembly assembly) {
+  return extremes_over_turn([&](double input) -> std::optional<double> {
+    const auto there = assemble(lengths, input, assembly);
+    const auto rates = there ? angle_rates(lengths, *there) : std::nullopt;
+    return rates ? std::optional(rates->output) : std::nullopt;
+  });
 }
 
 }  // namespace linkwright

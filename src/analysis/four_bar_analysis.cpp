@@ -1,7 +1,7 @@
 #include "linkwright/analysis/four_bar_analysis.hpp"
 
 #include "analysis/range_around.hpp"
-#include "linkwright/analysis/transmission_angle.hpp"
+#include "transmission_angle.hpp"
 
 namespace linkwright {
 

@@ -4,9 +4,9 @@
 #include <numeric>
 
 #include "analysis/six_bar_dyads.hpp"
-#include "analysis/six_bar_judges.hpp"
 #include "linkwright/core/angle.hpp"
 #include "linkwright/core/tolerance.hpp"
+#include "six_bar_judge.hpp"
 
 namespace linkwright {
 namespace {

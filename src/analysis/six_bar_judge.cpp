@@ -1,7 +1,5 @@
 #include "analysis/six_bar_judge.hpp"
 
-#include "analysis/six_bar_judges.hpp"
-
 namespace linkwright {
 
 std::vector<std::optional<SixBarDriveReport>> judge_six_bars(std::span<const SixBarToDrive> six_bars, Simd simd) {

@@ -1,12 +1,17 @@
 #pragma once
 
+#include <algorithm>
+#include <array>
+#include <cstddef>
 #include <span>
 #include <vector>
 
+#include "analysis/six_bar_kernel.hpp"
 #include "analysis/six_bar_loops.hpp"
 #include "linkwright/analysis/six_bar_drive.hpp"
 #include "linkwright/core/simd.hpp"
 
+// What both judges of six-bars share.
 namespace linkwright {
 
 /// One of many six-bars to be driven.
@@ -34,5 +39,37 @@ inline constexpr int most_steps_of_many = 5'000;
 
 /// What drive_six_bar() says of one whose signs do not agree, without circuits.
 [[nodiscard]] SixBarDriveReport turned_down_by_signs();
+
+using SixBarReports = std::vector<std::optional<SixBarDriveReport>>;
+
+/// Judges those of `six_bars` that `open` lists, and leaves nothing in the reports of which it is not sure.
+void judge_dyads(std::span<const SixBarToDrive> six_bars, std::vector<std::size_t> open, Simd simd,
+                 SixBarReports& reports);
+void judge_strands(std::span<const SixBarToDrive> six_bars, std::vector<std::size_t> open, Simd simd,
+                   SixBarReports& reports);
+
+inline void put(LaneVector& to, std::size_t lane, Point value) {
+  to.x.of[lane] = value.real();
+  to.y.of[lane] = value.imag();
+}
+inline Point at(const LaneVector& from, std::size_t lane) { return {from.x.of[lane], from.y.of[lane]}; }
+
+/// One of order and branch.
+inline SixBarDriveReport with_defect(unsigned bit) {
+  SixBarDriveReport report;
+  report.completed = true;
+  report.defects.bits = static_cast<std::uint8_t>(bit);
+  return report;
+}
+
+inline SixBarDriveReport without_defects(int sense, double sweep, std::array<double, 2> min_sines) {
+  SixBarDriveReport report;
+  report.completed = true;
+  report.sense = sense > 0 ? DriveSense::ccw : DriveSense::cw;
+  report.sweep = sweep;
+  report.min_sines = min_sines;
+  report.min_sine = std::min(min_sines[0], min_sines[1]);
+  return report;
+}
 
 }  // namespace linkwright

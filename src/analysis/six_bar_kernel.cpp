@@ -1,5 +1,5 @@
 #include "analysis/six_bar_dyads.hpp"
-#include "analysis/six_bar_strands.hpp"
+#include "six_bar_strand.hpp"
 
 namespace linkwright {
 

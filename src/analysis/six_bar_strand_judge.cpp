@@ -2,9 +2,9 @@
 #include <limits>
 #include <memory>
 
-#include "analysis/six_bar_judges.hpp"
 #include "analysis/six_bar_walk.hpp"
 #include "linkwright/core/tolerance.hpp"
+#include "six_bar_judge.hpp"
 
 namespace linkwright {
 namespace {

@@ -5,8 +5,8 @@
 
 #include "analysis/range_around.hpp"
 #include "linkwright/analysis/pose_visits.hpp"
-#include "linkwright/analysis/transmission_angle.hpp"
 #include "linkwright/core/angle.hpp"
+#include "transmission_angle.hpp"
 
 namespace linkwright {
 namespace {

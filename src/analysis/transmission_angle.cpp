@@ -1,4 +1,4 @@
-#include "linkwright/analysis/transmission_angle.hpp"
+#include "transmission_angle.hpp"
 
 #include <algorithm>
 #include <cmath>

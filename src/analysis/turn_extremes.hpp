@@ -5,7 +5,7 @@
 #include <optional>
 #include <vector>
 
-#include "linkwright/analysis/drive_extremes.hpp"
+#include "linkwright/analysis/drive_table.hpp"
 #include "linkwright/core/angle.hpp"
 
 namespace linkwright {

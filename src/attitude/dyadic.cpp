@@ -1,4 +1,4 @@
-#include "linkwright/attitude/dyadic.hpp"
+#include "dyadic.hpp"
 
 #include <array>
 

@@ -1,4 +1,4 @@
-#include "linkwright/attitude/finite_rotation.hpp"
+#include "finite_rotation.hpp"
 
 #include <cmath>
 

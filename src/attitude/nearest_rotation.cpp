@@ -1,4 +1,4 @@
-#include "linkwright/attitude/nearest_rotation.hpp"
+#include "nearest_rotation.hpp"
 
 #include <cmath>
 

@@ -1,4 +1,4 @@
-#include "linkwright/attitude/rotation_step.hpp"
+#include "rotation_step.hpp"
 
 #include "linkwright/attitude/rotation_vector.hpp"
 

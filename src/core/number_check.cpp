@@ -1,4 +1,4 @@
-#include "linkwright/core/number_check.hpp"
+#include "number_check.hpp"
 
 #include <cmath>
 #include <fmt/format.h>

@@ -4,7 +4,7 @@
 #include <span>
 #include <vector>
 
-#include "linkwright/mechanism/dyad.hpp"
+#include "linkwright/mechanism/four_bar.hpp"
 #include "linkwright/planar/burmester_curve.hpp"
 #include "plane_window.hpp"
 

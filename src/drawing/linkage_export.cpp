@@ -1,6 +1,6 @@
 #include "linkwright/drawing/linkage_export.hpp"
 
-#include "linkwright/drawing/dxf_drawing.hpp"
+#include "dxf_drawing.hpp"
 #include "linkwright/drawing/svg_drawing.hpp"
 #include "linkwright/files/csv_table.hpp"
 

@@ -41,4 +41,16 @@ class PointMarks {
 /// The square of a mark about a place (px), for keys.
 void draw_square_mark(SvgCanvas& svg, Point px, std::string_view color);
 
+/// Names points of a figure, each where there is most room about it.
+class PointNames {
+ public:
+  /// What names keep clear of, px.
+  explicit PointNames(std::vector<Point> obstacles) : obstacles_(std::move(obstacles)) {}
+
+  void draw(SvgCanvas& svg, Point pin, std::string_view name, std::string_view color);
+
+ private:
+  std::vector<Point> obstacles_;
+};
+
 }  // namespace linkwright

@@ -6,7 +6,7 @@
 #include <vector>
 
 #include "linkwright/algebra/circular_cubic.hpp"
-#include "linkwright/mechanism/dyad.hpp"
+#include "linkwright/mechanism/four_bar.hpp"
 
 namespace linkwright {
 

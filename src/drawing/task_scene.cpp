@@ -5,16 +5,12 @@
 #include <fmt/format.h>
 
 #include "curve_path.hpp"
-#include "drawing/four_bar/angle_scale_figure.hpp"
-#include "drawing/four_bar/bead_figure.hpp"
 #include "drawing/four_bar/linkage_figure.hpp"
-#include "drawing/four_bar/linkage_positions.hpp"
-#include "drawing/four_bar/linkage_strip.hpp"
 #include "linkwright/core/angle.hpp"
 #include "linkwright/files/task_label.hpp"
-#include "linkwright/planar/function_couplers.hpp"
-#include "linkwright/planar/function_family.hpp"
 #include "palette.hpp"
+#include "planar/function_couplers.hpp"
+#include "planar/function_family.hpp"
 
 namespace linkwright {
 namespace {

@@ -16,7 +16,7 @@
 #include "linkwright/core/count_text.hpp"
 #include "linkwright/files/label.hpp"
 #include "linkwright/files/number_text.hpp"
-#include "linkwright/robust/sampled_positions.hpp"
+#include "robust/sampled_positions.hpp"
 
 namespace linkwright {
 namespace {

@@ -1,4 +1,4 @@
-#include "linkwright/files/listed_problem.hpp"
+#include "listed_problem.hpp"
 
 #include <fmt/format.h>
 #include <nlohmann/json.hpp>

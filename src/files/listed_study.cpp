@@ -3,8 +3,8 @@
 #include <algorithm>
 #include <fmt/format.h>
 
-#include "linkwright/files/listed_problem.hpp"
 #include "linkwright/synthesis/solve.hpp"
+#include "listed_problem.hpp"
 
 namespace linkwright {
 namespace {

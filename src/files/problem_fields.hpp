@@ -2,7 +2,7 @@
 
 #include "fields/field_visitor.hpp"
 #include "linkwright/region/linkage_class.hpp"
-#include "linkwright/synthesis/problem.hpp"
+#include "linkwright/synthesis/solve.hpp"
 
 // What problem files say, struct by struct: see fields/field_visitor.hpp.
 namespace linkwright {

@@ -4,7 +4,7 @@
 
 #include "files/json/json_writer.hpp"
 #include "linkwright/analysis/defects.hpp"
-#include "linkwright/mechanism/tracing_four_bar.hpp"
+#include "linkwright/mechanism/four_bar.hpp"
 #include "linkwright/region/linkage_class.hpp"
 
 namespace linkwright {

@@ -3,7 +3,7 @@
 #include <vector>
 
 #include "files/json/json_writer.hpp"
-#include "linkwright/core/notice.hpp"
+#include "linkwright/core/result.hpp"
 #include "linkwright/planar/burmester_curve.hpp"
 #include "linkwright/region/requirement_filter.hpp"
 

@@ -1,4 +1,4 @@
-#include "linkwright/function/function_columns.hpp"
+#include "function_columns.hpp"
 
 namespace linkwright {
 

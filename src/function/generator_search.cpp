@@ -1,4 +1,4 @@
-#include "linkwright/function/generator_search.hpp"
+#include "generator_search.hpp"
 
 #include <algorithm>
 #include <array>
@@ -6,7 +6,7 @@
 #include <optional>
 
 #include "linkwright/core/parallel.hpp"
-#include "linkwright/region/hill_tops.hpp"
+#include "linkwright/region/hill_climb.hpp"
 #include "region/climb.hpp"
 #include "region/ordered_axes.hpp"
 

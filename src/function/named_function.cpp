@@ -4,9 +4,9 @@
 #include <cmath>
 #include <fmt/format.h>
 
+#include "core/number_check.hpp"
 #include "linkwright/core/angle.hpp"
 #include "linkwright/core/count_text.hpp"
-#include "linkwright/core/number_check.hpp"
 #include "linkwright/core/tolerance.hpp"
 
 namespace linkwright {

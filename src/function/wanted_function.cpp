@@ -5,9 +5,9 @@
 #include <fmt/format.h>
 #include <string_view>
 
+#include "core/number_check.hpp"
 #include "linkwright/core/angle.hpp"
 #include "linkwright/core/count_text.hpp"
-#include "linkwright/core/number_check.hpp"
 #include "linkwright/core/tolerance.hpp"
 
 namespace linkwright {
@@ -125,6 +125,8 @@ void check_free(const WantedFunction& wanted, std::vector<Error>& found) {
                      {{"count", wanted.pairs.size()}}});
 }
 
+constexpr std::array<std::string_view, 2> free_names = {"output_scale", "pair_output"};
+
 }  // namespace
 
 std::vector<Error> mistakes_in(const WantedFunction& wanted) {
@@ -170,5 +172,17 @@ WantedFunction wanted_at(WantedFunction wanted, double value) {
   wanted.free.reset();
   return wanted;
 }
+
+double FreeParameter::at(double t) const {
+  const auto [low, high] = range;
+  return kind == Kind::output_scale ? low * std::pow(high / low, t) : low + (high - low) * t;
+}
+
+double FreeParameter::place_of(double value) const {
+  const auto [low, high] = range;
+  return kind == Kind::output_scale ? std::log(value / low) / std::log(high / low) : (value - low) / (high - low);
+}
+
+std::string_view name(FreeParameter::Kind kind) { return free_names[static_cast<std::size_t>(kind)]; }
 
 }  // namespace linkwright

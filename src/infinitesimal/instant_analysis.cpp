@@ -3,7 +3,7 @@
 #include "linkwright/analysis/position.hpp"
 #include "linkwright/core/tolerance.hpp"
 #include "linkwright/infinitesimal/line_contact.hpp"
-#include "linkwright/infinitesimal/special_configuration.hpp"
+#include "special_configuration.hpp"
 
 namespace linkwright {
 namespace {

@@ -1,4 +1,4 @@
-#include "linkwright/infinitesimal/special_configuration.hpp"
+#include "special_configuration.hpp"
 
 #include <fmt/format.h>
 

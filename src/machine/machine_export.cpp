@@ -4,9 +4,9 @@
 #include <fmt/format.h>
 
 #include "linkwright/files/length_unit.hpp"
-#include "linkwright/machine/print_file.hpp"
-#include "linkwright/machine/simulator_file.hpp"
-#include "linkwright/machine/step_file.hpp"
+#include "print_file.hpp"
+#include "simulator_file.hpp"
+#include "step_file.hpp"
 
 namespace linkwright {
 namespace {

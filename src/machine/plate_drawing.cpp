@@ -2,7 +2,7 @@
 
 #include "drawing/dxf/dxf_writer.hpp"
 #include "linkwright/core/angle.hpp"
-#include "linkwright/machine/print_file.hpp"
+#include "print_file.hpp"
 
 namespace linkwright {
 namespace {

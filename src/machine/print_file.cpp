@@ -1,4 +1,4 @@
-#include "linkwright/machine/print_file.hpp"
+#include "print_file.hpp"
 
 #include <algorithm>
 #include <cmath>

@@ -4,7 +4,7 @@
 #include <cmath>
 #include <fmt/format.h>
 
-#include "linkwright/core/number_check.hpp"
+#include "core/number_check.hpp"
 #include "linkwright/core/tolerance.hpp"
 
 namespace linkwright {

@@ -1,4 +1,4 @@
-#include "linkwright/planar/chosen_length.hpp"
+#include "chosen_length.hpp"
 
 #include <algorithm>
 #include <bit>

@@ -1,4 +1,4 @@
-#include "linkwright/planar/curve_on_lines_family.hpp"
+#include "curve_on_lines_family.hpp"
 
 #include <algorithm>
 #include <array>

@@ -2,7 +2,7 @@
 
 #include <optional>
 
-#include "linkwright/core/notice.hpp"
+#include "linkwright/core/result.hpp"
 #include "linkwright/planar/pose_conditions.hpp"
 
 namespace linkwright {

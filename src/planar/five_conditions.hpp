@@ -4,7 +4,7 @@
 
 #include "algebra/conic_pencil.hpp"
 #include "linkwright/algebra/homogeneous.hpp"
-#include "linkwright/mechanism/dyad.hpp"
+#include "linkwright/mechanism/four_bar.hpp"
 
 namespace linkwright {
 

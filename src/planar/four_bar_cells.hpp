@@ -6,7 +6,7 @@
 #include <utility>
 #include <vector>
 
-#include "linkwright/function/angle_pair.hpp"
+#include "linkwright/function/wanted_function.hpp"
 #include "linkwright/planar/four_bar_family.hpp"
 
 namespace linkwright {

@@ -1,4 +1,4 @@
-#include "linkwright/planar/function_conditions.hpp"
+#include "function_conditions.hpp"
 
 #include <algorithm>
 #include <array>

@@ -1,4 +1,4 @@
-#include "linkwright/planar/function_couplers.hpp"
+#include "function_couplers.hpp"
 
 #include <algorithm>
 #include <cmath>

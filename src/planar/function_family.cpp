@@ -1,13 +1,13 @@
-#include "linkwright/planar/function_family.hpp"
+#include "function_family.hpp"
 
 #include <algorithm>
 #include <cmath>
 #include <utility>
 
+#include "function_linkage.hpp"
 #include "linkwright/core/angle.hpp"
 #include "linkwright/core/parallel.hpp"
 #include "linkwright/core/tolerance.hpp"
-#include "linkwright/planar/function_linkage.hpp"
 #include "planar/four_bar_cells.hpp"
 
 namespace linkwright {

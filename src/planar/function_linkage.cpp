@@ -1,10 +1,10 @@
-#include "linkwright/planar/function_linkage.hpp"
+#include "function_linkage.hpp"
 
 #include <algorithm>
 #include <array>
 #include <cmath>
 
-#include "algebra/binomial.hpp"
+#include "algebra/binary_form.hpp"
 #include "linkwright/core/angle.hpp"
 #include "linkwright/core/precondition.hpp"
 

@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <fmt/format.h>
 
-#include "linkwright/core/number_check.hpp"
+#include "core/number_check.hpp"
 #include "linkwright/core/tolerance.hpp"
 
 namespace linkwright {

@@ -1,4 +1,4 @@
-#include "linkwright/planar/given_pivot_family.hpp"
+#include "given_pivot_family.hpp"
 
 #include <cmath>
 #include <limits>

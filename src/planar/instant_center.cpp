@@ -1,4 +1,4 @@
-#include "linkwright/planar/instant_center.hpp"
+#include "instant_center.hpp"
 
 #include <cmath>
 

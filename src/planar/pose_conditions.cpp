@@ -4,7 +4,7 @@
 #include <array>
 #include <cmath>
 
-#include "algebra/binomial.hpp"
+#include "algebra/binary_form.hpp"
 #include "algebra/dense.hpp"
 #include "linkwright/core/precondition.hpp"
 #include "linkwright/core/tolerance.hpp"

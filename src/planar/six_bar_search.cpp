@@ -8,7 +8,6 @@
 #include "linkwright/core/tolerance.hpp"
 #include "linkwright/planar/six_bar_synthesis.hpp"
 #include "planar/six_bar_glance.hpp"
-#include "planar/six_bar_prospect.hpp"
 
 namespace linkwright {
 namespace {

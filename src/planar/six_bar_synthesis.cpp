@@ -4,8 +4,8 @@
 #include <mutex>
 
 #include "linkwright/core/parallel.hpp"
-#include "planar/six_bar_prospect.hpp"
 #include "region/climb.hpp"
+#include "six_bar_glance.hpp"
 
 namespace linkwright {
 namespace {

@@ -5,8 +5,8 @@
 #include <fmt/format.h>
 #include <string>
 
+#include "core/number_check.hpp"
 #include "linkwright/core/count_text.hpp"
-#include "linkwright/core/number_check.hpp"
 #include "linkwright/core/tolerance.hpp"
 #include "linkwright/planar/motion_task.hpp"
 

@@ -1,4 +1,4 @@
-#include "linkwright/planar/task_curve.hpp"
+#include "task_curve.hpp"
 
 #include <algorithm>
 #include <cmath>

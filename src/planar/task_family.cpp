@@ -5,11 +5,11 @@
 #include <fmt/format.h>
 #include <string_view>
 
-#include "linkwright/planar/curve_on_lines_family.hpp"
-#include "linkwright/planar/instant_center.hpp"
+#include "curve_on_lines_family.hpp"
+#include "instant_center.hpp"
 #include "linkwright/planar/relaxed_position.hpp"
-#include "linkwright/planar/task_curve.hpp"
-#include "linkwright/planar/three_pose_setup.hpp"
+#include "task_curve.hpp"
+#include "three_pose_setup.hpp"
 
 namespace linkwright {
 namespace {

@@ -1,4 +1,4 @@
-#include "linkwright/planar/three_pose_dyads.hpp"
+#include "three_pose_dyads.hpp"
 
 #include <algorithm>
 #include <cmath>

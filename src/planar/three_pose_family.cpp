@@ -1,10 +1,10 @@
-#include "linkwright/planar/three_pose_family.hpp"
+#include "three_pose_family.hpp"
 
 #include <algorithm>
 #include <cmath>
 
 #include "linkwright/core/angle.hpp"
-#include "linkwright/mechanism/dyad.hpp"
+#include "linkwright/mechanism/four_bar.hpp"
 
 namespace linkwright {
 namespace {

@@ -5,9 +5,9 @@
 #include <string>
 #include <string_view>
 
+#include "core/number_check.hpp"
 #include "linkwright/core/angle.hpp"
 #include "linkwright/core/count_text.hpp"
-#include "linkwright/core/number_check.hpp"
 #include "linkwright/core/precondition.hpp"
 #include "linkwright/core/tolerance.hpp"
 #include "linkwright/planar/motion_task.hpp"

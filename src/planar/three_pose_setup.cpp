@@ -1,15 +1,15 @@
-#include "linkwright/planar/three_pose_setup.hpp"
+#include "three_pose_setup.hpp"
 
 #include <cmath>
 #include <fmt/format.h>
 #include <string_view>
 
+#include "chosen_length.hpp"
+#include "given_pivot_family.hpp"
 #include "linkwright/core/angle.hpp"
 #include "linkwright/core/tolerance.hpp"
-#include "linkwright/planar/chosen_length.hpp"
-#include "linkwright/planar/given_pivot_family.hpp"
-#include "linkwright/planar/three_pose_family.hpp"
 #include "planar/degenerate_task.hpp"
+#include "three_pose_family.hpp"
 
 namespace linkwright {
 namespace {

@@ -2,7 +2,10 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <optional>
+
+#include "linkwright/core/precondition.hpp"
 
 namespace linkwright {
 namespace {
@@ -20,6 +23,21 @@ class Ranking {
 };
 
 bool same_branch(double tau, double other) { return std::floor(tau) == std::floor(other); }
+
+/// Smaller is better.
+class Cost {
+ public:
+  Cost(const RegionMap& map, const Measure& measure)
+      : values_(map.values(measure)), sign_(measure.larger_is_better ? -1 : 1) {
+    require(!values_.empty() || map.rows() * map.columns() == 0, "the map has the measure");
+  }
+  [[nodiscard]] double of(std::size_t cell) const { return sign_ * value(cell); }
+  [[nodiscard]] double value(std::size_t cell) const { return static_cast<double>(values_[cell]); }
+
+ private:
+  std::span<const float> values_;
+  double sign_;
+};
 
 }  // namespace
 
@@ -55,6 +73,52 @@ std::vector<RankedCell> tile_bests(const RegionMap& map, const RequirementFilter
     if (cell) found.push_back(*cell);
   std::sort(found.begin(), found.end(), ranks_before);
   return found;
+}
+
+std::vector<ParetoCell> pareto_front(const RegionMap& map, const RequirementFilter& filter,
+                                     std::array<Objective, 2> objectives) {
+  const Cost first(map, measure_of(objectives[0])), second(map, measure_of(objectives[1]));
+  std::vector<std::size_t> cells;
+  for (std::size_t row = 0; row < map.rows(); ++row)
+    for (std::size_t column = 0; column < map.columns(); ++column) {
+      const std::size_t cell = map.index(row, column);
+      if (filter.passes(row, column) && std::isfinite(first.of(cell)) && std::isfinite(second.of(cell)))
+        cells.push_back(cell);
+    }
+  std::sort(cells.begin(), cells.end(), [&](std::size_t a, std::size_t b) {
+    if (first.of(a) != first.of(b)) return first.of(a) < first.of(b);
+    return second.of(a) != second.of(b) ? second.of(a) < second.of(b) : a < b;
+  });
+  std::vector<ParetoCell> front;
+  double best = std::numeric_limits<double>::infinity();
+  for (const std::size_t cell : cells) {
+    if (!(second.of(cell) < best)) continue;
+    best = second.of(cell);
+    front.push_back({cell / map.columns(), cell % map.columns(), {first.value(cell), second.value(cell)}});
+  }
+  return front;
+}
+
+std::vector<ParetoCell> spread_over(const std::vector<ParetoCell>& front, std::size_t most) {
+  require(most > 0, "one cell at least");
+  if (front.size() <= most) return front;
+  if (most == 1) return {front.front()};
+  std::array<double, 2> range{};
+  for (std::size_t k = 0; k < 2; ++k) range[k] = std::abs(front.back().values[k] - front.front().values[k]);
+  std::vector<double> way = {0};
+  for (std::size_t i = 1; i < front.size(); ++i) {
+    double step = 0;
+    for (std::size_t k = 0; k < 2; ++k)
+      step += range[k] > 0 ? std::abs(front[i].values[k] - front[i - 1].values[k]) / range[k] : 0;
+    way.push_back(way.back() + step);
+  }
+  std::vector<ParetoCell> chosen;
+  for (std::size_t i = 0, next = 0; i < most; ++i) {
+    const double wanted = way.back() * static_cast<double>(i) / static_cast<double>(most - 1);
+    while (next + 1 < front.size() && way[next] < wanted) ++next;
+    if (chosen.empty() || front[next].values != chosen.back().values) chosen.push_back(front[next]);
+  }
+  return chosen;
 }
 
 }  // namespace linkwright

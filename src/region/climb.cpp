@@ -2,7 +2,7 @@
 
 #include <algorithm>
 
-#include "linkwright/region/improved_linkage.hpp"
+#include "improved_linkage.hpp"
 #include "region/ordered_axes.hpp"
 
 namespace linkwright {

@@ -2,13 +2,18 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstdlib>
 #include <mutex>
+#include <new>
+#include <sys/mman.h>
 
 #include "linkwright/analysis/driver_sequence.hpp"
 #include "linkwright/core/angle.hpp"
 #include "linkwright/core/parallel.hpp"
 #include "linkwright/core/precondition.hpp"
 
+#ifdef __linux__
+#endif
 namespace linkwright {
 
 void RegionMap::lay(std::span<const double> input, std::span<const double> output, std::span<const Measure> measures,
@@ -172,5 +177,18 @@ RegionCounts RegionMap::counts() const {
   });
   return total;
 }
+
+void* allocate_cells(std::size_t bytes) {
+  constexpr std::size_t line = 64, large_page = std::size_t{1} << 21;
+  const std::size_t unit = bytes < 2 * large_page ? line : large_page;
+  void* cells = std::aligned_alloc(unit, (bytes / unit + 1) * unit);
+  if (!cells) throw std::bad_alloc();
+#ifdef MADV_HUGEPAGE
+  if (unit == large_page) madvise(cells, bytes, MADV_HUGEPAGE);  // a wish; without it the map is only slower
+#endif
+  return cells;
+}
+
+void FreeCells::operator()(void* cells) const { std::free(cells); }
 
 }  // namespace linkwright

@@ -6,7 +6,7 @@
 #include <cmath>
 
 #include "linkwright/core/parallel.hpp"
-#include "linkwright/region/hill_tops.hpp"
+#include "linkwright/region/hill_climb.hpp"
 
 namespace linkwright {
 namespace {

@@ -1,4 +1,4 @@
-#include "linkwright/robust/sampled_positions.hpp"
+#include "sampled_positions.hpp"
 
 #include <algorithm>
 #include <cmath>

@@ -4,7 +4,7 @@
 #include <limits>
 
 #include "linkwright/core/precondition.hpp"
-#include "linkwright/robust/tolerance_error.hpp"
+#include "tolerance_error.hpp"
 
 namespace linkwright {
 std::vector<double> least_cost_tolerances(std::span<const double> weights, double error, double exponent) {

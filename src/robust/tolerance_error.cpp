@@ -1,4 +1,4 @@
-#include "linkwright/robust/tolerance_error.hpp"
+#include "tolerance_error.hpp"
 
 #include <algorithm>
 #include <cmath>

@@ -4,7 +4,7 @@
 #include <utility>
 
 #include "linkwright/core/angle.hpp"
-#include "linkwright/robust/tolerance_error.hpp"
+#include "tolerance_error.hpp"
 
 namespace linkwright {
 namespace {

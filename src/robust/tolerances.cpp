@@ -4,8 +4,8 @@
 #include <cmath>
 #include <string>
 
+#include "core/number_check.hpp"
 #include "linkwright/core/angle.hpp"
-#include "linkwright/core/number_check.hpp"
 
 namespace linkwright {
 namespace {

@@ -1,6 +1,6 @@
 #include <algorithm>
 
-#include "linkwright/planar/function_family.hpp"
+#include "planar/function_family.hpp"
 #include "solve/kinds.hpp"
 
 namespace linkwright {

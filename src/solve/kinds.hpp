@@ -5,7 +5,7 @@
 #include <string_view>
 #include <vector>
 
-#include "linkwright/function/generator_search.hpp"
+#include "function/generator_search.hpp"
 #include "linkwright/solve/session.hpp"
 #include "synthesis/kinds.hpp"
 

@@ -3,9 +3,9 @@
 #include <algorithm>
 #include <cmath>
 
-#include "linkwright/region/improved_linkage.hpp"
 #include "linkwright/synthesis/solve.hpp"
 #include "linkwright/synthesis/tolerance_measures.hpp"
+#include "region/improved_linkage.hpp"
 #include "region/window_look.hpp"
 #include "solve/kinds.hpp"
 #include "solve/yield_map.hpp"

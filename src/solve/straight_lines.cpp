@@ -3,8 +3,8 @@
 #include <cmath>
 
 #include "linkwright/region/cell_judge.hpp"
-#include "linkwright/straight_line/line_travel.hpp"
 #include "solve/kinds.hpp"
+#include "straight_line/line_travel.hpp"
 
 namespace linkwright {
 namespace {

@@ -3,8 +3,8 @@
 #include <cmath>
 #include <complex>
 
+#include "algebra/binary_form.hpp"
 #include "algebra/dense.hpp"
-#include "algebra/monomial_order.hpp"
 #include "linkwright/core/tolerance.hpp"
 
 namespace linkwright {

@@ -2,7 +2,7 @@
 
 #include <numbers>
 
-#include "algebra/monomial_order.hpp"
+#include "algebra/binary_form.hpp"
 
 namespace linkwright {
 namespace {

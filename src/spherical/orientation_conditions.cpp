@@ -5,7 +5,7 @@
 #include <fmt/format.h>
 #include <limits>
 
-#include "algebra/binomial.hpp"
+#include "algebra/binary_form.hpp"
 #include "algebra/dense.hpp"
 #include "linkwright/core/precondition.hpp"
 #include "linkwright/core/tolerance.hpp"

@@ -8,7 +8,7 @@
 #include "linkwright/core/angle.hpp"
 #include "linkwright/core/count_text.hpp"
 #include "linkwright/core/parallel.hpp"
-#include "linkwright/region/hill_tops.hpp"
+#include "linkwright/region/hill_climb.hpp"
 #include "linkwright/region/requirement_filter.hpp"
 #include "linkwright/spherical/spherical_position.hpp"
 #include "region/climb.hpp"

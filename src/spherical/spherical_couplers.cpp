@@ -1,10 +1,10 @@
-#include "linkwright/spherical/spherical_couplers.hpp"
+#include "spherical_couplers.hpp"
 
 #include <algorithm>
 #include <cmath>
 #include <fmt/format.h>
 
-#include "algebra/binomial.hpp"
+#include "algebra/binary_form.hpp"
 #include "linkwright/core/tolerance.hpp"
 #include "linkwright/spherical/five_orientations.hpp"
 #include "linkwright/spherical/spherical_function_task.hpp"

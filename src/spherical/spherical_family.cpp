@@ -7,7 +7,6 @@
 
 #include "linkwright/core/angle.hpp"
 #include "linkwright/spherical/spherical_defects.hpp"
-#include "linkwright/spherical/spherical_type.hpp"
 #include "spherical/spherical_cells.hpp"
 
 namespace linkwright {

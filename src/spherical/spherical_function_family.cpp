@@ -1,11 +1,11 @@
-#include "linkwright/spherical/spherical_function_family.hpp"
+#include "spherical_function_family.hpp"
 
 #include <algorithm>
 #include <utility>
 
 #include "linkwright/core/angle.hpp"
 #include "linkwright/spherical/spherical_defects.hpp"
-#include "linkwright/spherical/spherical_function_linkage.hpp"
+#include "spherical_function_linkage.hpp"
 
 namespace linkwright {
 namespace {

@@ -1,9 +1,9 @@
-#include "linkwright/spherical/spherical_function_linkage.hpp"
+#include "spherical_function_linkage.hpp"
 
 #include <algorithm>
 #include <cmath>
 
-#include "algebra/binomial.hpp"
+#include "algebra/binary_form.hpp"
 #include "linkwright/spherical/spherical_position.hpp"
 
 namespace linkwright {

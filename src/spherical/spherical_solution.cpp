@@ -5,7 +5,7 @@
 
 #include "linkwright/core/tolerance.hpp"
 #include "linkwright/spherical/spherical_defects.hpp"
-#include "linkwright/spherical/spherical_drive.hpp"
+#include "linkwright/spherical/spherical_position.hpp"
 
 namespace linkwright {
 namespace {

@@ -1,4 +1,4 @@
-#include "linkwright/spherical/spherical_travel.hpp"
+#include "spherical_travel.hpp"
 
 #include <algorithm>
 #include <cmath>

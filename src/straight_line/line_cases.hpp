@@ -2,9 +2,11 @@
 
 #include <array>
 #include <variant>
+#include <vector>
 
 #include "linkwright/region/map_axis.hpp"
 #include "linkwright/straight_line/line_design.hpp"
+#include "linkwright/straight_line/line_shape.hpp"
 #include "linkwright/straight_line/straight_line_task.hpp"
 
 namespace linkwright {
@@ -34,5 +36,10 @@ using LineDesigns = std::array<LineDesign, 3>;
 
 /// The linkages of a case at a place, without trigonometry. Formulas: docs/theory/straight_lines.md.
 [[nodiscard]] LineDesigns designs_at(const StraightLineTask& task, LineAxisValue first, LineAxisValue second);
+
+/// Linkages of the textbooks by their published proportions, of a kind of shape, each the first of its shape: with
+/// them, too, a search begins (E. S. Ferguson, Kinematics of Mechanisms from the Time of Watt, 1962; R. L. Norton,
+/// Design of Machinery). Where the classical line is the middle of three tangents or crosses the path, it is so here.
+[[nodiscard]] std::vector<LineShape> line_classics(ShapeKind kind);
 
 }  // namespace linkwright

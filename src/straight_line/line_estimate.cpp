@@ -5,11 +5,13 @@
 #include <cmath>
 #include <limits>
 #include <numeric>
+#include <string_view>
 #include <vector>
 
 #include "linkwright/core/precondition.hpp"
 #include "linkwright/straight_line/straight_path.hpp"
 #include "straight_line/line_trace_kernel.hpp"
+#include "straight_line/placed_shape.hpp"
 
 namespace linkwright {
 namespace {
@@ -350,6 +352,17 @@ std::optional<StrokeFigures> figures_over(const TracingFourBar& linkage, const L
   return path ? path->stroke_figures(from, to) : std::nullopt;
 }
 
+struct Row {
+  std::string_view case_name;
+  int layer = 0;
+  unsigned turns = 0;
+  std::array<float, 4> numbers{};
+};
+
+constexpr Row rows[] = {
+#include "line_atlas.inc"  // by cmake/line_atlas.cmake
+};
+
 }  // namespace
 
 void estimate_lines(std::span<const TracingFourBar> linkages, const LineEstimateTask& task,
@@ -403,6 +416,18 @@ std::optional<LineEstimate> exact_line(const TracingFourBar& linkage, const Line
 
 LineEstimateTask estimate_task(const StraightLineFamily& family, Simd simd) {
   return {family.task().line.direction, family.contact(), family.measuring(), family.stroke(), simd};
+}
+
+std::vector<AtlasLinkage> line_atlas(ShapeKind kind) {
+  const std::string_view case_name = name(placed(LineShape{kind, {}, 0}).task.given);
+  std::vector<AtlasLinkage> linkages;
+  for (const Row& row : rows) {
+    if (row.case_name != case_name) continue;
+    AtlasLinkage linkage{{kind, {}, row.turns}, row.layer};
+    for (std::size_t k = 0; k < row.numbers.size(); ++k) linkage.shape.numbers[k] = static_cast<double>(row.numbers[k]);
+    linkages.push_back(linkage);
+  }
+  return linkages;
 }
 
 }  // namespace linkwright

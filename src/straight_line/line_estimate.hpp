@@ -6,9 +6,11 @@
 #include <limits>
 #include <optional>
 #include <span>
+#include <vector>
 
 #include "linkwright/core/simd.hpp"
 #include "linkwright/straight_line/line_measuring.hpp"
+#include "linkwright/straight_line/line_shape.hpp"
 #include "linkwright/straight_line/line_worth.hpp"
 #include "linkwright/straight_line/straight_line_family.hpp"
 
@@ -53,5 +55,14 @@ void estimate_lines(std::span<const TracingFourBar> linkages, const LineEstimate
 
 /// Of a family's maps.
 [[nodiscard]] LineEstimateTask estimate_task(const StraightLineFamily& family, Simd simd = Simd::automatic);
+
+/// A linkage of the atlas: one of those of its shape.
+struct AtlasLinkage {
+  LineShape shape;
+  int layer = 0;
+};
+
+/// The best that long searches have found (data/atlas/straight_lines.csv), with which others begin.
+[[nodiscard]] std::vector<AtlasLinkage> line_atlas(ShapeKind kind);
 
 }  // namespace linkwright

@@ -1,9 +1,9 @@
-#include "linkwright/straight_line/line_travel.hpp"
+#include "line_travel.hpp"
 
 #include <algorithm>
 #include <cmath>
 
-#include "linkwright/analysis/transmission_angle.hpp"
+#include "analysis/transmission_angle.hpp"
 #include "linkwright/core/angle.hpp"
 #include "linkwright/straight_line/mixed_contacts.hpp"
 #include "linkwright/straight_line/straight_path.hpp"

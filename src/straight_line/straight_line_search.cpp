@@ -7,11 +7,10 @@
 #include <limits>
 #include <random>
 
+#include "line_cases.hpp"
 #include "linkwright/core/angle.hpp"
 #include "linkwright/core/parallel.hpp"
 #include "linkwright/region/cell_judge.hpp"
-#include "straight_line/line_atlas.hpp"
-#include "straight_line/line_classics.hpp"
 #include "straight_line/line_estimate.hpp"
 #include "straight_line/placed_shape.hpp"
 

@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "linkwright/analysis/cognates.hpp"
+#include "linkwright/analysis/coupler_curve.hpp"
 #include "linkwright/analysis/drive_through.hpp"
 #include "linkwright/analysis/position.hpp"
 #include "linkwright/region/cell_judge.hpp"

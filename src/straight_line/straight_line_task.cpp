@@ -5,10 +5,10 @@
 #include <fmt/format.h>
 #include <string>
 
+#include "core/number_check.hpp"
 #include "linkwright/core/angle.hpp"
-#include "linkwright/core/number_check.hpp"
 #include "linkwright/core/tolerance.hpp"
-#include "linkwright/straight_line/symmetric_lambda.hpp"
+#include "symmetric_lambda.hpp"
 
 namespace linkwright {
 namespace {

@@ -5,7 +5,7 @@
 #include <cmath>
 #include <span>
 
-#include "linkwright/algebra/polynomial_roots.hpp"
+#include "algebra/polynomial_roots.hpp"
 #include "linkwright/algebra/vector3.hpp"
 #include "linkwright/core/angle.hpp"
 #include "linkwright/core/precondition.hpp"

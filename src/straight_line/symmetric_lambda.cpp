@@ -1,4 +1,4 @@
-#include "linkwright/straight_line/symmetric_lambda.hpp"
+#include "symmetric_lambda.hpp"
 
 #include <algorithm>
 #include <array>

@@ -9,7 +9,7 @@
 #include "linkwright/files/nearest_name.hpp"
 #include "linkwright/files/problem_file.hpp"
 #include "linkwright/files/text_file.hpp"
-#include "linkwright/sweep/kept_columns.hpp"
+#include "linkwright/sweep/sweep_table.hpp"
 #include "plan_base.hpp"
 
 namespace linkwright {

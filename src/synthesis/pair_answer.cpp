@@ -5,16 +5,16 @@
 #include <utility>
 #include <vector>
 
+#include "function/generator_search.hpp"
 #include "linkage_search.hpp"
 #include "linkwright/core/tolerance.hpp"
-#include "linkwright/function/generator_search.hpp"
-#include "linkwright/planar/chosen_length.hpp"
-#include "linkwright/planar/function_family.hpp"
-#include "linkwright/spherical/spherical_function_family.hpp"
 #include "linkwright/spherical/spherical_task_family.hpp"
 #include "picked_place.hpp"
+#include "planar/chosen_length.hpp"
+#include "planar/function_family.hpp"
 #include "reason.hpp"
 #include "region_count.hpp"
+#include "spherical/spherical_function_family.hpp"
 #include "warnings.hpp"
 
 namespace linkwright {

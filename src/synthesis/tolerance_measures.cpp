@@ -6,8 +6,8 @@
 
 #include "four_bar_errors.hpp"
 #include "linkwright/core/angle.hpp"
-#include "linkwright/robust/tolerance_error.hpp"
 #include "linkwright/robust/tolerance_report.hpp"
+#include "robust/tolerance_error.hpp"
 #include "spherical_errors.hpp"
 
 namespace linkwright {

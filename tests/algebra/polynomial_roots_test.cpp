@@ -1,4 +1,4 @@
-#include "linkwright/algebra/polynomial_roots.hpp"
+#include "algebra/polynomial_roots.hpp"
 
 #include <algorithm>
 #include <cmath>

@@ -3,7 +3,7 @@
 #include <cmath>
 #include <gtest/gtest.h>
 
-#include "linkwright/analysis/velocity.hpp"
+#include "linkwright/analysis/position.hpp"
 #include "linkwright/core/angle.hpp"
 #include "support/machine_cases.hpp"
 #include "support/random_four_bar.hpp"

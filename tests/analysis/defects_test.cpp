@@ -4,8 +4,8 @@
 #include <complex>
 #include <gtest/gtest.h>
 
+#include "analysis/transmission_angle.hpp"
 #include "linkwright/analysis/position.hpp"
-#include "linkwright/analysis/transmission_angle.hpp"
 #include "linkwright/core/angle.hpp"
 #include "support/random_four_bar.hpp"
 

@@ -8,7 +8,6 @@
 #include <vector>
 
 #include "linkwright/analysis/position.hpp"
-#include "linkwright/analysis/velocity.hpp"
 #include "linkwright/core/angle.hpp"
 #include "support/random_four_bar.hpp"
 

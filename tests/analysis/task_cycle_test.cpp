@@ -5,7 +5,7 @@
 #include <gtest/gtest.h>
 
 #include "linkwright/core/angle.hpp"
-#include "linkwright/mechanism/body_error.hpp"
+#include "linkwright/mechanism/pose.hpp"
 
 namespace linkwright::task_cycle_test {
 namespace {

@@ -1,4 +1,4 @@
-#include "linkwright/attitude/dyadic.hpp"
+#include "attitude/dyadic.hpp"
 
 #include <gtest/gtest.h>
 

@@ -1,10 +1,10 @@
-#include "linkwright/attitude/finite_rotation.hpp"
+#include "attitude/finite_rotation.hpp"
 
 #include <cmath>
 #include <gtest/gtest.h>
 #include <random>
 
-#include "linkwright/attitude/rotation_properties.hpp"
+#include "linkwright/attitude/rotation.hpp"
 #include "linkwright/core/angle.hpp"
 #include "support/attitude_case.hpp"
 #include "support/random_task.hpp"

@@ -1,4 +1,4 @@
-#include "linkwright/attitude/nearest_rotation.hpp"
+#include "attitude/nearest_rotation.hpp"
 
 #include <cmath>
 #include <gtest/gtest.h>

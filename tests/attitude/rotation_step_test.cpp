@@ -1,11 +1,11 @@
-#include "linkwright/attitude/rotation_step.hpp"
+#include "attitude/rotation_step.hpp"
 
 #include <cmath>
 #include <gtest/gtest.h>
 #include <limits>
 
 #include "linkwright/attitude/euler_rates.hpp"
-#include "linkwright/attitude/rotation_properties.hpp"
+#include "linkwright/attitude/rotation.hpp"
 #include "linkwright/core/angle.hpp"
 #include "support/attitude_case.hpp"
 

@@ -6,7 +6,7 @@
 #include <nlohmann/json.hpp>
 #include <span>
 
-#include "linkwright/analysis/transmission_angle.hpp"
+#include "analysis/transmission_angle.hpp"
 #include "linkwright/core/angle.hpp"
 #include "linkwright/files/problem_file.hpp"
 #include "linkwright/files/six_bar_file.hpp"

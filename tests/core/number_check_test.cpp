@@ -1,4 +1,4 @@
-#include "linkwright/core/number_check.hpp"
+#include "core/number_check.hpp"
 
 #include <gtest/gtest.h>
 #include <limits>

@@ -1,4 +1,4 @@
-#include "linkwright/drawing/dxf_drawing.hpp"
+#include "drawing/dxf_drawing.hpp"
 
 #include <algorithm>
 #include <gtest/gtest.h>

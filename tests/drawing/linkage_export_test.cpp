@@ -2,7 +2,7 @@
 
 #include <gtest/gtest.h>
 
-#include "linkwright/drawing/dxf_drawing.hpp"
+#include "drawing/dxf_drawing.hpp"
 #include "linkwright/drawing/svg_drawing.hpp"
 #include "linkwright/files/csv_table.hpp"
 #include "support/file_support.hpp"

@@ -1,4 +1,4 @@
-#include "linkwright/files/listed_problem.hpp"
+#include "files/listed_problem.hpp"
 
 #include <gtest/gtest.h>
 #include <nlohmann/json.hpp>

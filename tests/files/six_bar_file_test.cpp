@@ -6,8 +6,8 @@
 #include <nlohmann/json.hpp>
 #include <sstream>
 
+#include "drawing/dxf_drawing.hpp"
 #include "linkwright/core/angle.hpp"
-#include "linkwright/drawing/dxf_drawing.hpp"
 #include "linkwright/drawing/svg_drawing.hpp"
 #include "linkwright/files/result_file.hpp"
 #include "support/file_support.hpp"

@@ -1,4 +1,4 @@
-#include "linkwright/function/function_columns.hpp"
+#include "function/function_columns.hpp"
 
 #include <array>
 #include <gtest/gtest.h>

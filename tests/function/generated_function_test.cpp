@@ -4,7 +4,7 @@
 #include <gtest/gtest.h>
 
 #include "linkwright/core/angle.hpp"
-#include "linkwright/planar/function_linkage.hpp"
+#include "planar/function_linkage.hpp"
 #include "support/random_four_bar.hpp"
 
 namespace linkwright::generated_function_test {

@@ -1,4 +1,4 @@
-#include "linkwright/function/generator_search.hpp"
+#include "function/generator_search.hpp"
 
 #include <array>
 #include <cmath>

@@ -119,5 +119,23 @@ TEST(WantedFunction, AFreeNumberIsChecked) {
   EXPECT_EQ(codes(task), "free_number_of_five@free");
 }
 
+TEST(FreeParameter, IsSpacedOverItsRange) {
+  const FreeParameter scale;
+  EXPECT_DOUBLE_EQ(scale.at(0), 0.5);
+  EXPECT_DOUBLE_EQ(scale.at(0.5), 1) << "by its logarithm";
+  EXPECT_DOUBLE_EQ(scale.at(1), 2);
+  const FreeParameter output{FreeParameter::Kind::pair_output, {-1, 3}};
+  EXPECT_DOUBLE_EQ(output.at(0.25), 0);
+  for (const FreeParameter& free : {scale, output})
+    for (const double t : {0.0, 0.3, 1.0}) EXPECT_NEAR(free.place_of(free.at(t)), t, 1e-15);
+}
+
+TEST(AnglePair, CountsItsDerivativesAsPositions) {
+  const std::vector<AnglePair> pairs = {{0, 0, {}}, {1, 2, {{1, 2}, {0, 1}}}, {2, 3, {{1, 1}}}};
+  EXPECT_EQ(position_count(pairs), 6);
+  EXPECT_EQ(pattern(pairs), "P-PPP-PP");
+  EXPECT_NE(pairs[0], pairs[2]);
+}
+
 }  // namespace
 }  // namespace linkwright::wanted_function_test

@@ -3,7 +3,6 @@
 #include <gtest/gtest.h>
 
 #include "linkwright/analysis/position.hpp"
-#include "linkwright/analysis/velocity.hpp"
 #include "linkwright/core/angle.hpp"
 
 namespace linkwright::motion_series_test {

@@ -1,11 +1,11 @@
-#include "linkwright/infinitesimal/special_configuration.hpp"
+#include "infinitesimal/special_configuration.hpp"
 
 #include <gtest/gtest.h>
 
 #include "linkwright/core/angle.hpp"
 #include "linkwright/infinitesimal/instant.hpp"
 #include "linkwright/infinitesimal/line_contact.hpp"
-#include "linkwright/infinitesimal/stationary_curve.hpp"
+#include "linkwright/infinitesimal/stationary_curvature.hpp"
 
 namespace linkwright::special_configuration_test {
 namespace {

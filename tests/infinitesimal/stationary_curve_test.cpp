@@ -1,7 +1,6 @@
-#include "linkwright/infinitesimal/stationary_curve.hpp"
-
 #include <gtest/gtest.h>
 
+#include "linkwright/infinitesimal/stationary_curvature.hpp"
 #include "support/circle_contact.hpp"
 
 namespace linkwright::stationary_curve_test {

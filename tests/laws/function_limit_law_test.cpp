@@ -4,10 +4,10 @@
 
 #include "linkwright/analysis/defects.hpp"
 #include "linkwright/core/angle.hpp"
-#include "linkwright/planar/function_linkage.hpp"
-#include "linkwright/spherical/spherical_function_family.hpp"
-#include "linkwright/spherical/spherical_function_linkage.hpp"
-#include "linkwright/spherical/spherical_type.hpp"
+#include "linkwright/spherical/spherical_defects.hpp"
+#include "planar/function_linkage.hpp"
+#include "spherical/spherical_function_family.hpp"
+#include "spherical/spherical_function_linkage.hpp"
 #include "support/random_function.hpp"
 
 namespace linkwright::function_limit_law_test {

@@ -7,11 +7,11 @@
 #include <string>
 #include <vector>
 
+#include "attitude/finite_rotation.hpp"
 #include "linkwright/attitude/axis_angle.hpp"
 #include "linkwright/attitude/euler_angles.hpp"
-#include "linkwright/attitude/finite_rotation.hpp"
 #include "linkwright/attitude/rodrigues.hpp"
-#include "linkwright/attitude/rotation_properties.hpp"
+#include "linkwright/attitude/rotation.hpp"
 #include "linkwright/attitude/rotation_vector.hpp"
 #include "linkwright/core/angle.hpp"
 #include "support/attitude_case.hpp"

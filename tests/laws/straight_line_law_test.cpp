@@ -10,7 +10,6 @@
 
 #include "linkwright/core/angle.hpp"
 #include "linkwright/straight_line/straight_line_solution.hpp"
-#include "linkwright/synthesis/problem.hpp"
 #include "linkwright/synthesis/solve.hpp"
 #include "straight_line/line_estimate.hpp"
 #include "support/draws.hpp"

@@ -2,8 +2,8 @@
 
 #include <gtest/gtest.h>
 
-#include "linkwright/machine/print_file.hpp"
-#include "linkwright/machine/simulator_file.hpp"
+#include "machine/print_file.hpp"
+#include "machine/simulator_file.hpp"
 #include "support/machine_cases.hpp"
 
 namespace linkwright::machine_export_test {

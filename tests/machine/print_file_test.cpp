@@ -1,4 +1,4 @@
-#include "linkwright/machine/print_file.hpp"
+#include "machine/print_file.hpp"
 
 #include <cstring>
 #include <gtest/gtest.h>

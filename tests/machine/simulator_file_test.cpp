@@ -1,4 +1,4 @@
-#include "linkwright/machine/simulator_file.hpp"
+#include "machine/simulator_file.hpp"
 
 #include <cmath>
 #include <gtest/gtest.h>

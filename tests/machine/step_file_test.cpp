@@ -1,4 +1,4 @@
-#include "linkwright/machine/step_file.hpp"
+#include "machine/step_file.hpp"
 
 #include <cstdlib>
 #include <gtest/gtest.h>

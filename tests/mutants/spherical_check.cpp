@@ -9,9 +9,7 @@
 
 #include "linkwright/core/angle.hpp"
 #include "linkwright/spherical/spherical_defects.hpp"
-#include "linkwright/spherical/spherical_drive.hpp"
 #include "linkwright/spherical/spherical_position.hpp"
-#include "linkwright/spherical/spherical_type.hpp"
 
 namespace linkwright {
 namespace {

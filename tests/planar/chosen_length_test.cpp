@@ -1,11 +1,11 @@
-#include "linkwright/planar/chosen_length.hpp"
+#include "planar/chosen_length.hpp"
 
 #include <cmath>
 #include <gtest/gtest.h>
 #include <random>
 
 #include "linkwright/core/angle.hpp"
-#include "linkwright/planar/three_pose_family.hpp"
+#include "planar/three_pose_family.hpp"
 #include "support/random_task.hpp"
 
 namespace linkwright::chosen_length_test {

@@ -1,4 +1,4 @@
-#include "linkwright/planar/curve_on_lines_family.hpp"
+#include "planar/curve_on_lines_family.hpp"
 
 #include <array>
 #include <cmath>

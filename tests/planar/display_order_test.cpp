@@ -5,8 +5,8 @@
 #include <gtest/gtest.h>
 #include <random>
 
-#include "linkwright/planar/task_curve.hpp"
 #include "linkwright/region/region_map.hpp"
+#include "planar/task_curve.hpp"
 #include "support/planar_case.hpp"
 #include "support/random_task.hpp"
 #include "support/tailgate.hpp"

@@ -3,8 +3,8 @@
 #include <cmath>
 #include <gtest/gtest.h>
 
-#include "linkwright/planar/task_curve.hpp"
 #include "linkwright/region/requirement_filter.hpp"
+#include "planar/task_curve.hpp"
 #include "support/tailgate.hpp"
 
 namespace linkwright::four_bar_family_test {

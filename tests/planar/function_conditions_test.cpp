@@ -1,4 +1,4 @@
-#include "linkwright/planar/function_conditions.hpp"
+#include "planar/function_conditions.hpp"
 
 #include <algorithm>
 #include <array>
@@ -9,8 +9,8 @@
 #include "linkwright/analysis/linkage_type.hpp"
 #include "linkwright/core/angle.hpp"
 #include "linkwright/planar/burmester_curve.hpp"
-#include "linkwright/planar/function_couplers.hpp"
-#include "linkwright/planar/function_linkage.hpp"
+#include "planar/function_couplers.hpp"
+#include "planar/function_linkage.hpp"
 #include "support/planar_case.hpp"
 #include "support/random_function.hpp"
 #include "support/random_task.hpp"

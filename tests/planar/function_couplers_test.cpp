@@ -1,4 +1,4 @@
-#include "linkwright/planar/function_couplers.hpp"
+#include "planar/function_couplers.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -9,7 +9,7 @@
 #include "linkwright/analysis/defects.hpp"
 #include "linkwright/core/angle.hpp"
 #include "linkwright/function/function_error.hpp"
-#include "linkwright/planar/function_linkage.hpp"
+#include "planar/function_linkage.hpp"
 #include "support/random_four_bar.hpp"
 #include "support/random_function.hpp"
 #include "support/random_task.hpp"

@@ -1,4 +1,4 @@
-#include "linkwright/planar/function_family.hpp"
+#include "planar/function_family.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -8,9 +8,9 @@
 #include "linkwright/analysis/defects.hpp"
 #include "linkwright/core/angle.hpp"
 #include "linkwright/function/function_error.hpp"
-#include "linkwright/planar/function_linkage.hpp"
-#include "linkwright/region/improved_linkage.hpp"
 #include "linkwright/synthesis/solve.hpp"
+#include "planar/function_linkage.hpp"
+#include "region/improved_linkage.hpp"
 #include "support/random_function.hpp"
 
 namespace linkwright::function_family_test {

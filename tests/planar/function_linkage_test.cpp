@@ -1,4 +1,4 @@
-#include "linkwright/planar/function_linkage.hpp"
+#include "planar/function_linkage.hpp"
 
 #include <cmath>
 #include <gtest/gtest.h>
@@ -7,9 +7,8 @@
 #include "linkwright/analysis/drive_table.hpp"
 #include "linkwright/analysis/drive_through.hpp"
 #include "linkwright/analysis/position.hpp"
-#include "linkwright/analysis/velocity.hpp"
 #include "linkwright/core/angle.hpp"
-#include "linkwright/planar/function_couplers.hpp"
+#include "planar/function_couplers.hpp"
 #include "support/random_four_bar.hpp"
 #include "support/random_function.hpp"
 #include "support/random_task.hpp"

@@ -7,9 +7,9 @@
 #include "linkwright/core/angle.hpp"
 #include "linkwright/function/function_error.hpp"
 #include "linkwright/planar/four_bar_solution.hpp"
-#include "linkwright/planar/function_family.hpp"
-#include "linkwright/planar/function_linkage.hpp"
 #include "linkwright/synthesis/solve.hpp"
+#include "planar/function_family.hpp"
+#include "planar/function_linkage.hpp"
 #include "support/random_function.hpp"
 #include "support/solved.hpp"
 

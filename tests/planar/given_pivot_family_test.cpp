@@ -1,4 +1,4 @@
-#include "linkwright/planar/given_pivot_family.hpp"
+#include "planar/given_pivot_family.hpp"
 
 #include <array>
 #include <cmath>

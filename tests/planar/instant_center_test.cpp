@@ -1,4 +1,4 @@
-#include "linkwright/planar/instant_center.hpp"
+#include "planar/instant_center.hpp"
 
 #include <algorithm>
 #include <gtest/gtest.h>
@@ -6,7 +6,7 @@
 
 #include "linkwright/core/angle.hpp"
 #include "linkwright/planar/burmester_curve.hpp"
-#include "linkwright/planar/three_pose_dyads.hpp"
+#include "planar/three_pose_dyads.hpp"
 #include "support/random_task.hpp"
 
 namespace linkwright::instant_center_test {

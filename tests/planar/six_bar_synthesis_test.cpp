@@ -6,8 +6,8 @@
 #include <gtest/gtest.h>
 
 #include "linkwright/core/angle.hpp"
-#include "linkwright/region/improved_linkage.hpp"
 #include "linkwright/synthesis/solve.hpp"
+#include "region/improved_linkage.hpp"
 #include "support/random_six_bar.hpp"
 
 namespace linkwright::six_bar_synthesis_test {

@@ -1,4 +1,4 @@
-#include "linkwright/planar/task_curve.hpp"
+#include "planar/task_curve.hpp"
 
 #include <gtest/gtest.h>
 

@@ -1,4 +1,4 @@
-#include "linkwright/planar/three_pose_family.hpp"
+#include "planar/three_pose_family.hpp"
 
 #include <algorithm>
 #include <cmath>

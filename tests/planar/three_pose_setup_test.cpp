@@ -1,9 +1,10 @@
-#include "linkwright/planar/three_pose_setup.hpp"
+#include "planar/three_pose_setup.hpp"
 
 #include <cmath>
 #include <gtest/gtest.h>
 
 #include "linkwright/core/angle.hpp"
+#include "planar/three_pose_dyads.hpp"
 
 namespace linkwright::three_pose_setup_test {
 namespace {

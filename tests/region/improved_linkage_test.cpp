@@ -1,4 +1,4 @@
-#include "linkwright/region/improved_linkage.hpp"
+#include "region/improved_linkage.hpp"
 
 #include <cmath>
 #include <gtest/gtest.h>

@@ -1,9 +1,8 @@
-#include "linkwright/region/pareto_front.hpp"
-
 #include <gtest/gtest.h>
 #include <limits>
 #include <random>
 
+#include "linkwright/region/best_cells.hpp"
 #include "linkwright/region/linkage_class.hpp"
 
 namespace linkwright::pareto_front_test {

@@ -1,6 +1,7 @@
 #include "linkwright/region/region_map.hpp"
 
 #include <atomic>
+#include <cstdint>
 #include <gtest/gtest.h>
 #include <new>
 
@@ -78,6 +79,27 @@ TEST(RegionMap, IsEmptyWhereTheCellsDoNotFit) {
   EXPECT_EQ(map.rows() * map.columns(), 0u);
 }
 #endif
+
+TEST(Column, KeepsItsMemoryWhereTheSizeStays) {
+  Column<float> column;
+  EXPECT_TRUE(column.view().empty());
+  column.resize(1000);
+  column.data()[999] = 7;
+  const float* const before = column.data();
+  column.resize(1000);
+  EXPECT_EQ(column.data(), before);
+  EXPECT_EQ(column[999], 7);
+  column.resize(10);
+  EXPECT_EQ(column.view().size(), 10u);
+}
+
+TEST(Column, IsAlignedToTheCachesLines) {
+  for (const std::size_t size : {1u, 100u, 5'000'000u}) {
+    Column<std::uint8_t> column;
+    column.resize(size);
+    EXPECT_EQ(reinterpret_cast<std::uintptr_t>(column.data()) % 64, 0u);
+  }
+}
 
 }  // namespace
 }  // namespace linkwright::region_map_test

@@ -1,4 +1,4 @@
-#include "linkwright/robust/sampled_positions.hpp"
+#include "robust/sampled_positions.hpp"
 
 #include <cmath>
 #include <gtest/gtest.h>

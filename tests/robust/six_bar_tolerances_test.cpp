@@ -4,10 +4,10 @@
 #include <set>
 
 #include "linkwright/core/angle.hpp"
-#include "linkwright/robust/tolerance_error.hpp"
 #include "linkwright/robust/tolerance_report.hpp"
 #include "linkwright/robust/tolerance_sampling.hpp"
 #include "robust/six_bar_distances.hpp"
+#include "robust/tolerance_error.hpp"
 #include "support/central_difference.hpp"
 #include "support/draws.hpp"
 #include "support/random_six_bar.hpp"

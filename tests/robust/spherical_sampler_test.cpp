@@ -3,10 +3,10 @@
 #include <random>
 
 #include "linkwright/core/angle.hpp"
-#include "linkwright/robust/tolerance_error.hpp"
 #include "linkwright/robust/tolerance_report.hpp"
 #include "linkwright/robust/tolerance_sampling.hpp"
 #include "linkwright/spherical/spherical_position.hpp"
+#include "robust/tolerance_error.hpp"
 #include "support/draws.hpp"
 
 namespace linkwright::spherical_sampler_test {

@@ -5,7 +5,7 @@
 #include <limits>
 
 #include "linkwright/core/angle.hpp"
-#include "linkwright/robust/tolerance_error.hpp"
+#include "robust/tolerance_error.hpp"
 #include "support/draws.hpp"
 #include "support/random_four_bar.hpp"
 #include "support/robust_cases.hpp"

@@ -1,12 +1,12 @@
-#include "linkwright/robust/tolerance_error.hpp"
+#include "robust/tolerance_error.hpp"
 
 #include <cmath>
 #include <gtest/gtest.h>
 
 #include "linkwright/core/angle.hpp"
 #include "linkwright/core/simd.hpp"
-#include "linkwright/straight_line/symmetric_lambda.hpp"
 #include "robust/tolerance_error_kernel.hpp"
+#include "straight_line/symmetric_lambda.hpp"
 #include "support/draws.hpp"
 #include "support/random_four_bar.hpp"
 #include "support/robust_cases.hpp"

@@ -3,7 +3,7 @@
 #include <cmath>
 #include <gtest/gtest.h>
 
-#include "linkwright/robust/tolerance_error.hpp"
+#include "robust/tolerance_error.hpp"
 #include "support/robust_cases.hpp"
 
 namespace linkwright::tolerance_report_test {

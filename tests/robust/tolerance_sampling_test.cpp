@@ -7,9 +7,9 @@
 #define LINKWRIGHT_ISA isa_sampling_test
 #include "linkwright/analysis/position.hpp"
 #include "linkwright/core/angle.hpp"
-#include "linkwright/robust/tolerance_error.hpp"
-#include "linkwright/straight_line/symmetric_lambda.hpp"
 #include "robust/draw_lanes.hpp"
+#include "robust/tolerance_error.hpp"
+#include "straight_line/symmetric_lambda.hpp"
 #include "support/draws.hpp"
 #include "support/robust_cases.hpp"
 

@@ -5,7 +5,7 @@
 #include <vector>
 
 #include "linkwright/synthesis/answer.hpp"
-#include "linkwright/synthesis/problem.hpp"
+#include "linkwright/synthesis/solve.hpp"
 
 namespace linkwright::soak {
 

@@ -1,4 +1,4 @@
-#include "linkwright/spherical/spherical_couplers.hpp"
+#include "spherical/spherical_couplers.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -8,8 +8,8 @@
 #include <random>
 
 #include "linkwright/core/angle.hpp"
-#include "linkwright/spherical/spherical_function_linkage.hpp"
 #include "linkwright/spherical/spherical_function_task.hpp"
+#include "spherical/spherical_function_linkage.hpp"
 #include "support/random_function.hpp"
 #include "support/random_task.hpp"
 #include "support/spherical_function.hpp"

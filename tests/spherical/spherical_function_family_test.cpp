@@ -1,4 +1,4 @@
-#include "linkwright/spherical/spherical_function_family.hpp"
+#include "spherical/spherical_function_family.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -7,8 +7,8 @@
 
 #include "linkwright/core/angle.hpp"
 #include "linkwright/spherical/spherical_defects.hpp"
-#include "linkwright/spherical/spherical_function_linkage.hpp"
 #include "linkwright/spherical/spherical_solution.hpp"
+#include "spherical/spherical_function_linkage.hpp"
 #include "support/random_function.hpp"
 #include "support/spherical_function.hpp"
 

@@ -1,13 +1,13 @@
-#include "linkwright/spherical/spherical_function_linkage.hpp"
+#include "spherical/spherical_function_linkage.hpp"
 
 #include <cmath>
 #include <gtest/gtest.h>
 #include <random>
 
 #include "linkwright/core/angle.hpp"
-#include "linkwright/spherical/spherical_couplers.hpp"
 #include "linkwright/spherical/spherical_function_task.hpp"
 #include "linkwright/spherical/spherical_position.hpp"
+#include "spherical/spherical_couplers.hpp"
 #include "support/random_function.hpp"
 #include "support/random_task.hpp"
 #include "support/spherical_function.hpp"

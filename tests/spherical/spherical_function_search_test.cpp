@@ -3,8 +3,8 @@
 #include <optional>
 
 #include "linkwright/core/angle.hpp"
-#include "linkwright/spherical/spherical_function_family.hpp"
 #include "linkwright/spherical/spherical_solution.hpp"
+#include "spherical/spherical_function_family.hpp"
 #include "support/spherical_function.hpp"
 
 namespace linkwright::spherical_function_search_test {

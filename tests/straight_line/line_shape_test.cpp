@@ -7,8 +7,8 @@
 #include <random>
 
 #include "linkwright/straight_line/straight_line_search.hpp"
-#include "straight_line/line_atlas.hpp"
-#include "straight_line/line_classics.hpp"
+#include "straight_line/line_cases.hpp"
+#include "straight_line/line_estimate.hpp"
 #include "straight_line/placed_shape.hpp"
 #include "support/draws.hpp"
 

@@ -1,9 +1,9 @@
-#include "linkwright/straight_line/line_travel.hpp"
+#include "straight_line/line_travel.hpp"
 
 #include <cmath>
 #include <gtest/gtest.h>
 
-#include "linkwright/analysis/transmission_angle.hpp"
+#include "analysis/transmission_angle.hpp"
 #include "linkwright/core/angle.hpp"
 #include "linkwright/synthesis/answer.hpp"
 #include "support/file_support.hpp"

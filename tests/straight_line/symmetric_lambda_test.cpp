@@ -1,4 +1,4 @@
-#include "linkwright/straight_line/symmetric_lambda.hpp"
+#include "straight_line/symmetric_lambda.hpp"
 
 #include <algorithm>
 #include <array>
@@ -6,7 +6,7 @@
 #include <gtest/gtest.h>
 #include <limits>
 
-#include "linkwright/algebra/polynomial_roots.hpp"
+#include "algebra/polynomial_roots.hpp"
 #include "linkwright/core/angle.hpp"
 #include "linkwright/straight_line/straight_path.hpp"
 #include "support/straight_line_cases.hpp"

@@ -5,7 +5,7 @@
 #include <string>
 #include <vector>
 
-#include "linkwright/mechanism/prescribed_orientation.hpp"
+#include "linkwright/mechanism/pose.hpp"
 #include "linkwright/mechanism/spherical_four_bar.hpp"
 
 namespace linkwright::testing {

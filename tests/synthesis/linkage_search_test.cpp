@@ -4,7 +4,7 @@
 #include <cmath>
 #include <gtest/gtest.h>
 
-#include "linkwright/region/improved_linkage.hpp"
+#include "region/improved_linkage.hpp"
 
 namespace linkwright::linkage_search_test {
 namespace {

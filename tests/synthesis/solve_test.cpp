@@ -7,7 +7,7 @@
 #include <limits>
 #include <random>
 
-#include "linkwright/analysis/transmission_angle.hpp"
+#include "analysis/transmission_angle.hpp"
 #include "linkwright/core/angle.hpp"
 #include "support/file_support.hpp"
 #include "support/planar_case.hpp"
@@ -632,6 +632,15 @@ TEST_F(SolveAtAPlace, OfASearchIsRefused) {
   ASSERT_FALSE(refused.ok());
   EXPECT_EQ(refused.errors()[0].code, "place_of_search");
   EXPECT_EQ(refused.errors()[0].place, "options.at");
+}
+
+TEST(Problem, AsksForAnyLinkageWithoutDefectsUnlessItSaysMore) {
+  const Problem problem;
+  EXPECT_TRUE(problem.requirements.no_defects);
+  EXPECT_TRUE(problem.requirements.types.empty());
+  EXPECT_EQ(problem.options.objective, Objective::min_transmission_angle);
+  EXPECT_TRUE(mistakes_in(problem.options).empty());
+  EXPECT_TRUE(mistakes_in(problem.requirements).empty());
 }
 
 }  // namespace

@@ -4,8 +4,8 @@
 
 #include "bindings.hpp"
 #include "linkwright/core/angle.hpp"
-#include "linkwright/drawing/instant_drawing.hpp"
 #include "linkwright/drawing/linkage_export.hpp"
+#include "linkwright/drawing/svg_drawing.hpp"
 #include "linkwright/drawing/tolerance_drawing.hpp"
 #include "linkwright/files/analysis_file.hpp"
 #include "linkwright/files/csv_table.hpp"

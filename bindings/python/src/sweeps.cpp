@@ -2,7 +2,7 @@
 
 #include "bindings.hpp"
 #include "cancellation.hpp"
-#include "linkwright/sweep/sweep_block.hpp"
+#include "linkwright/sweep/run_sweep.hpp"
 
 namespace linkwright::python {
 namespace {

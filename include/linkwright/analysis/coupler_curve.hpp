@@ -1,9 +1,10 @@
 #pragma once
 
+#include <array>
+#include <optional>
 #include <vector>
 
 #include "linkwright/analysis/position.hpp"
-#include "linkwright/analysis/velocity.hpp"
 #include "linkwright/mechanism/four_bar.hpp"
 
 namespace linkwright {
@@ -29,5 +30,11 @@ struct MotionState {
 /// The states while the input turns from its present angle by `sweep` radians (negative: clockwise) without change
 /// of assembly, or as far as a dead point on the way: `samples` of them, evenly spaced. Empty as in motion_cycle.
 [[nodiscard]] std::vector<MotionState> motion_sweep(const FourBar& four_bar, Point traced, double sweep, int samples);
+
+/// The two other four-bars whose point traces the same curve (Roberts' theorem, 1875), as they lie when the point is
+/// where it is: the first on the input's centre, which turns as the coupler does, the second on the output's. Their
+/// outputs share the third centre. Nothing where the coupler has no length or the point is at a moving pivot, to
+/// tolerance::vanishing_link of the longest: its path is a circle.
+[[nodiscard]] std::optional<std::array<TracingFourBar, 2>> cognates(const TracingFourBar& linkage);
 
 }  // namespace linkwright

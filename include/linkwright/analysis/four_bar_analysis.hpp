@@ -4,7 +4,7 @@
 #include <vector>
 
 #include "linkwright/analysis/coupler_curve.hpp"
-#include "linkwright/analysis/drive_extremes.hpp"
+#include "linkwright/analysis/drive_table.hpp"
 #include "linkwright/analysis/linkage_type.hpp"
 #include "linkwright/analysis/position.hpp"
 #include "linkwright/mechanism/four_bar.hpp"

@@ -8,11 +8,10 @@
 
 #include "linkwright/algebra/directed_line.hpp"
 #include "linkwright/analysis/six_bar_position.hpp"
+#include "linkwright/mechanism/four_bar.hpp"
 #include "linkwright/mechanism/pose.hpp"
-#include "linkwright/mechanism/prescribed_orientation.hpp"
 #include "linkwright/mechanism/six_bar.hpp"
 #include "linkwright/mechanism/spherical_four_bar.hpp"
-#include "linkwright/mechanism/tracing_four_bar.hpp"
 
 namespace linkwright {
 

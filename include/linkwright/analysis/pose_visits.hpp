@@ -6,7 +6,7 @@
 
 #include "linkwright/analysis/defects.hpp"
 #include "linkwright/analysis/position.hpp"
-#include "linkwright/core/notice.hpp"
+#include "linkwright/core/result.hpp"
 #include "linkwright/mechanism/four_bar.hpp"
 #include "linkwright/mechanism/pose.hpp"
 

@@ -3,7 +3,6 @@
 #include <span>
 #include <vector>
 
-#include "linkwright/mechanism/body_error.hpp"
 #include "linkwright/mechanism/pose.hpp"
 #include "linkwright/mechanism/six_bar.hpp"
 

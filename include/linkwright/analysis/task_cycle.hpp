@@ -5,8 +5,6 @@
 #include <vector>
 
 #include "linkwright/analysis/position.hpp"
-#include "linkwright/analysis/velocity.hpp"
-#include "linkwright/mechanism/body_error.hpp"
 #include "linkwright/mechanism/four_bar.hpp"
 #include "linkwright/mechanism/pose.hpp"
 

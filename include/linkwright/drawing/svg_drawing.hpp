@@ -2,7 +2,10 @@
 
 #include <string>
 
+#include "linkwright/files/analysis_file.hpp"
+#include "linkwright/files/displacement_file.hpp"
 #include "linkwright/files/linkage_file.hpp"
+#include "linkwright/files/orientation_file.hpp"
 #include "linkwright/files/problem_file.hpp"
 #include "linkwright/files/six_bar_file.hpp"
 #include "linkwright/synthesis/answer.hpp"
@@ -21,5 +24,25 @@ namespace linkwright {
 
 /// One spherical four-bar as a picture of the same size.
 [[nodiscard]] std::string draw_linkage(const StoredSphericalFourBar& linkage);
+
+// Pictures of rotations and displacements (SVG, 640 px wide): orthographic views of the fixed frame from above and in
+// front, z upwards, in which nothing hides anything else.
+
+/// An orientation: given by three angles, the three turns one after another and all of them together, with the line of
+/// nodes, or at gimbal lock the two axes that have come to lie in one line; given otherwise, one turn about its axis,
+/// both triads, and a vector (the task's first, or one that shows the turn well) with its image.
+[[nodiscard]] std::string draw_orientation(const OrientationReport& report);
+
+/// A displacement as a screw: its axis, both triads, the helix of the origin (or, where that lies on the axis, of a
+/// point beside it), angle and slide.
+[[nodiscard]] std::string draw_displacement(const DisplacementReport& report);
+
+/// One instant as a picture (SVG, 1000 × 800): the linkage, pole, pole tangent and normal, inflection, return and
+/// Bresse circles, circling-point and centering-point curves, Ball's point, Burmester points, and the centre of
+/// curvature of the point that was asked for. `analysis` has an instant.
+[[nodiscard]] std::string draw_instant(const LinkageAnalysis& analysis);
+
+/// The same of a body in a prescribed pose.
+[[nodiscard]] std::string draw_instant(const PrescribedInstant& instant);
 
 }  // namespace linkwright

@@ -5,7 +5,7 @@
 
 #include "linkwright/core/result.hpp"
 #include "linkwright/infinitesimal/instant_analysis.hpp"
-#include "linkwright/synthesis/problem.hpp"
+#include "linkwright/synthesis/solve.hpp"
 
 namespace linkwright {
 

@@ -7,7 +7,7 @@
 
 #include "linkwright/core/result.hpp"
 #include "linkwright/synthesis/answer.hpp"
-#include "linkwright/synthesis/problem.hpp"
+#include "linkwright/synthesis/solve.hpp"
 #include "linkwright/synthesis/tolerance_measures.hpp"
 
 namespace linkwright {

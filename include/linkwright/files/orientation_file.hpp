@@ -9,7 +9,7 @@
 #include "linkwright/attitude/euler_angles.hpp"
 #include "linkwright/attitude/resal_frame.hpp"
 #include "linkwright/attitude/rodrigues.hpp"
-#include "linkwright/attitude/rotation_properties.hpp"
+#include "linkwright/attitude/rotation.hpp"
 #include "linkwright/attitude/rotation_vector.hpp"
 #include "linkwright/core/result.hpp"
 

@@ -5,7 +5,7 @@
 #include <vector>
 
 #include "linkwright/files/six_bar_file.hpp"
-#include "linkwright/mechanism/body_error.hpp"
+#include "linkwright/mechanism/pose.hpp"
 
 namespace linkwright {
 

@@ -5,7 +5,7 @@
 #include <string_view>
 
 #include "linkwright/core/result.hpp"
-#include "linkwright/synthesis/problem.hpp"
+#include "linkwright/synthesis/solve.hpp"
 
 namespace linkwright {
 

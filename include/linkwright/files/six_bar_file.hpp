@@ -14,10 +14,9 @@
 #include "linkwright/files/spherical_file.hpp"
 #include "linkwright/mechanism/pose.hpp"
 #include "linkwright/mechanism/six_bar.hpp"
-#include "linkwright/planar/six_bar_analysis.hpp"
 #include "linkwright/planar/six_bar_solution.hpp"
 #include "linkwright/synthesis/answer.hpp"
-#include "linkwright/synthesis/problem.hpp"
+#include "linkwright/synthesis/solve.hpp"
 
 namespace linkwright {
 

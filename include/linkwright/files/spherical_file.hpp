@@ -5,7 +5,7 @@
 #include <vector>
 
 #include "linkwright/files/motion_table.hpp"
-#include "linkwright/mechanism/prescribed_orientation.hpp"
+#include "linkwright/mechanism/pose.hpp"
 #include "linkwright/mechanism/spherical_four_bar.hpp"
 #include "linkwright/spherical/spherical_analysis.hpp"
 

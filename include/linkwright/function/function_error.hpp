@@ -8,9 +8,9 @@
 #include <vector>
 
 #include "linkwright/analysis/position.hpp"
-#include "linkwright/function/angle_pair.hpp"
 #include "linkwright/function/generated_function.hpp"
 #include "linkwright/function/named_function.hpp"
+#include "linkwright/function/wanted_function.hpp"
 #include "linkwright/region/map_axis.hpp"
 #include "linkwright/region/region_map.hpp"
 

@@ -5,7 +5,7 @@
 #include <span>
 
 #include "linkwright/analysis/position.hpp"
-#include "linkwright/function/angle_pair.hpp"
+#include "linkwright/function/wanted_function.hpp"
 
 namespace linkwright {
 

@@ -3,10 +3,10 @@
 #include <optional>
 #include <vector>
 
-#include "linkwright/core/notice.hpp"
+#include "linkwright/core/result.hpp"
 #include "linkwright/infinitesimal/instant.hpp"
 #include "linkwright/infinitesimal/stationary_curvature.hpp"
-#include "linkwright/mechanism/tracing_four_bar.hpp"
+#include "linkwright/mechanism/four_bar.hpp"
 
 namespace linkwright {
 

@@ -6,7 +6,6 @@
 #include <vector>
 
 #include "linkwright/algebra/point.hpp"
-#include "linkwright/core/notice.hpp"
 #include "linkwright/core/result.hpp"
 #include "linkwright/mechanism/pose.hpp"
 

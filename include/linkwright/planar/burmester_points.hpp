@@ -6,9 +6,9 @@
 #include <span>
 #include <vector>
 
-#include "linkwright/core/notice.hpp"
+#include "linkwright/core/result.hpp"
 #include "linkwright/core/simd.hpp"
-#include "linkwright/mechanism/dyad.hpp"
+#include "linkwright/mechanism/four_bar.hpp"
 #include "linkwright/mechanism/pose.hpp"
 #include "linkwright/planar/burmester_curve.hpp"
 #include "linkwright/planar/pose_conditions.hpp"

@@ -8,7 +8,6 @@
 #include <string_view>
 #include <vector>
 
-#include "linkwright/mechanism/dyad.hpp"
 #include "linkwright/mechanism/four_bar.hpp"
 #include "linkwright/mechanism/pose.hpp"
 #include "linkwright/planar/burmester_curve.hpp"

@@ -6,7 +6,7 @@
 #include <span>
 #include <vector>
 
-#include "linkwright/mechanism/dyad.hpp"
+#include "linkwright/mechanism/four_bar.hpp"
 #include "linkwright/mechanism/pose.hpp"
 #include "linkwright/region/region_map.hpp"
 

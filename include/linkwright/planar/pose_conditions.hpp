@@ -4,7 +4,6 @@
 #include <vector>
 
 #include "linkwright/algebra/homogeneous.hpp"
-#include "linkwright/mechanism/dyad.hpp"
 #include "linkwright/mechanism/four_bar.hpp"
 #include "linkwright/mechanism/pose.hpp"
 

@@ -9,7 +9,7 @@
 
 #include "linkwright/analysis/linkage_output.hpp"
 #include "linkwright/analysis/six_bar_position.hpp"
-#include "linkwright/mechanism/dyad.hpp"
+#include "linkwright/mechanism/four_bar.hpp"
 #include "linkwright/mechanism/six_bar.hpp"
 #include "linkwright/planar/burmester_curve.hpp"
 #include "linkwright/planar/pose_conditions.hpp"

@@ -6,8 +6,8 @@
 #include <span>
 #include <vector>
 
-#include "linkwright/core/notice.hpp"
 #include "linkwright/core/progress.hpp"
+#include "linkwright/core/result.hpp"
 #include "linkwright/planar/chain_family.hpp"
 #include "linkwright/planar/six_bar_solution.hpp"
 #include "linkwright/region/added_measures.hpp"

@@ -6,8 +6,8 @@
 #include <vector>
 
 #include "linkwright/analysis/pose_error.hpp"
-#include "linkwright/core/notice.hpp"
 #include "linkwright/core/progress.hpp"
+#include "linkwright/core/result.hpp"
 #include "linkwright/planar/burmester_curve.hpp"
 #include "linkwright/planar/burmester_points.hpp"
 #include "linkwright/planar/four_bar_family.hpp"

@@ -7,7 +7,7 @@
 #include "linkwright/algebra/directed_line.hpp"
 #include "linkwright/algebra/point.hpp"
 #include "linkwright/core/result.hpp"
-#include "linkwright/mechanism/dyad.hpp"
+#include "linkwright/mechanism/four_bar.hpp"
 
 namespace linkwright {
 

@@ -1,9 +1,10 @@
 #pragma once
 
+#include <array>
 #include <cstddef>
 #include <vector>
 
-#include "linkwright/region/hill_tops.hpp"
+#include "linkwright/region/hill_climb.hpp"
 #include "linkwright/region/objective.hpp"
 #include "linkwright/region/requirement_filter.hpp"
 
@@ -25,5 +26,20 @@ struct SearchMap {
 /// The best passing cell of each tile of a `tiles` × `tiles` grid over the map, best first.
 [[nodiscard]] std::vector<RankedCell> tile_bests(const RegionMap& map, const RequirementFilter& filter,
                                                  Objective objective, std::size_t tiles);
+
+/// A cell that no other beats in both of two objectives.
+struct ParetoCell {
+  std::size_t row = 0, column = 0;
+  std::array<double, 2> values{};  ///< of both objectives, as the map stores them
+};
+
+/// Of the cells that meet the requirements those that no other of them beats in one objective without being worse in
+/// the other (V. Pareto), the best by the first objective first; of equals one. The map holds the measures of both.
+[[nodiscard]] std::vector<ParetoCell> pareto_front(const RegionMap& map, const RequirementFilter& filter,
+                                                   std::array<Objective, 2> objectives);
+
+/// At most `most` ≥ 1 of a front, both ends among them, so that the steps between them are even in both objectives
+/// together, each counted by its range over the front.
+[[nodiscard]] std::vector<ParetoCell> spread_over(const std::vector<ParetoCell>& front, std::size_t most);
 
 }  // namespace linkwright

@@ -8,8 +8,8 @@
 
 #include "linkwright/algebra/vector3.hpp"
 #include "linkwright/analysis/linkage_output.hpp"
+#include "linkwright/mechanism/four_bar.hpp"
 #include "linkwright/mechanism/spherical_four_bar.hpp"
-#include "linkwright/mechanism/tracing_four_bar.hpp"
 #include "linkwright/robust/tolerances.hpp"
 
 namespace linkwright {

@@ -3,7 +3,7 @@
 #include <cstdint>
 #include <vector>
 
-#include "linkwright/synthesis/problem.hpp"
+#include "linkwright/synthesis/solve.hpp"
 
 namespace linkwright {
 

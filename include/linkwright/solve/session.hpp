@@ -8,11 +8,11 @@
 #include <vector>
 
 #include "linkwright/analysis/travel.hpp"
-#include "linkwright/planar/curve_marks.hpp"
+#include "linkwright/planar/burmester_curve.hpp"
 #include "linkwright/planar/display_order.hpp"
 #include "linkwright/region/ridge.hpp"
 #include "linkwright/synthesis/answer.hpp"
-#include "linkwright/synthesis/problem.hpp"
+#include "linkwright/synthesis/solve.hpp"
 
 namespace linkwright {
 

@@ -6,7 +6,7 @@
 #include <span>
 #include <vector>
 
-#include "linkwright/core/notice.hpp"
+#include "linkwright/core/result.hpp"
 #include "linkwright/core/simd.hpp"
 #include "linkwright/mechanism/spherical_four_bar.hpp"
 #include "linkwright/spherical/axis_curve.hpp"

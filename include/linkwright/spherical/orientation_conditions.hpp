@@ -6,8 +6,8 @@
 #include <vector>
 
 #include "linkwright/algebra/cubic_cone.hpp"
-#include "linkwright/core/notice.hpp"
-#include "linkwright/mechanism/prescribed_orientation.hpp"
+#include "linkwright/core/result.hpp"
+#include "linkwright/mechanism/pose.hpp"
 
 namespace linkwright {
 

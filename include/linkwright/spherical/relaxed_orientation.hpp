@@ -4,8 +4,8 @@
 #include <optional>
 #include <vector>
 
-#include "linkwright/core/notice.hpp"
 #include "linkwright/core/progress.hpp"
+#include "linkwright/core/result.hpp"
 #include "linkwright/region/region_map.hpp"
 #include "linkwright/region/requirements.hpp"
 #include "linkwright/spherical/spherical_solution.hpp"

@@ -4,11 +4,11 @@
 #include <span>
 #include <vector>
 
-#include "linkwright/analysis/drive_extremes.hpp"
+#include "linkwright/analysis/drive_table.hpp"
 #include "linkwright/analysis/linkage_type.hpp"
-#include "linkwright/mechanism/prescribed_orientation.hpp"
+#include "linkwright/mechanism/pose.hpp"
+#include "linkwright/spherical/spherical_defects.hpp"
 #include "linkwright/spherical/spherical_position.hpp"
-#include "linkwright/spherical/spherical_type.hpp"
 
 namespace linkwright {
 

@@ -5,7 +5,7 @@
 #include <span>
 #include <vector>
 
-#include "linkwright/mechanism/prescribed_orientation.hpp"
+#include "linkwright/mechanism/pose.hpp"
 #include "linkwright/mechanism/spherical_four_bar.hpp"
 #include "linkwright/region/linkage_family.hpp"
 #include "linkwright/spherical/axis_curve.hpp"

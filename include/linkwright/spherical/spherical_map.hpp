@@ -7,7 +7,7 @@
 #include <vector>
 
 #include "linkwright/analysis/driver_sequence.hpp"
-#include "linkwright/mechanism/prescribed_orientation.hpp"
+#include "linkwright/mechanism/pose.hpp"
 #include "linkwright/mechanism/spherical_four_bar.hpp"
 #include "linkwright/region/region_map.hpp"
 

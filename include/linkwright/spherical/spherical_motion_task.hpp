@@ -6,7 +6,7 @@
 
 #include "linkwright/analysis/linkage_output.hpp"
 #include "linkwright/core/result.hpp"
-#include "linkwright/mechanism/prescribed_orientation.hpp"
+#include "linkwright/mechanism/pose.hpp"
 #include "linkwright/region/linkage_class.hpp"
 
 namespace linkwright {

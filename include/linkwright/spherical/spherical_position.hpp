@@ -1,10 +1,13 @@
 #pragma once
 
 #include <optional>
+#include <span>
 #include <vector>
 
+#include "linkwright/analysis/drive_through.hpp"
 #include "linkwright/analysis/position.hpp"
 #include "linkwright/attitude/quaternion.hpp"
+#include "linkwright/mechanism/pose.hpp"
 #include "linkwright/mechanism/spherical_four_bar.hpp"
 
 namespace linkwright {
@@ -50,5 +53,13 @@ struct SphericalDeadPoint {
 
 /// dψ/dθ; nothing at a dead point of the input.
 [[nodiscard]] std::optional<double> velocity_ratio(const SphericalFourBar& four_bar);
+
+/// Drives the four-bar by its input through the orientations, slowly, as drive_through() of planar ones: traces the
+/// circuit of configurations (θ, ψ) on which the coupler keeps its angle by arc-length continuation, and reads the
+/// defects off; it shares nothing with find_defects(). `worst_pose_error` is the largest distance of a moving axis, on
+/// the unit sphere, from where a visited orientation wants it.
+[[nodiscard]] DriveThroughReport drive_through(const SphericalFourBar& four_bar,
+                                               std::span<const PrescribedOrientation> orientations,
+                                               const DriveThroughOptions& options = {});
 
 }  // namespace linkwright

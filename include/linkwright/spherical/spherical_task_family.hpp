@@ -5,7 +5,7 @@
 #include <string>
 #include <vector>
 
-#include "linkwright/core/notice.hpp"
+#include "linkwright/core/result.hpp"
 #include "linkwright/region/requirements.hpp"
 #include "linkwright/spherical/five_orientations.hpp"
 #include "linkwright/spherical/spherical_family.hpp"

@@ -2,7 +2,7 @@
 
 #include <cstdint>
 
-#include "linkwright/mechanism/tracing_four_bar.hpp"
+#include "linkwright/mechanism/four_bar.hpp"
 
 namespace linkwright {
 

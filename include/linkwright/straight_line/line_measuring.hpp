@@ -4,7 +4,7 @@
 #include <optional>
 #include <string_view>
 
-#include "linkwright/mechanism/tracing_four_bar.hpp"
+#include "linkwright/mechanism/four_bar.hpp"
 
 namespace linkwright {
 

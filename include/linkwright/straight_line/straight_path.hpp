@@ -7,7 +7,7 @@
 #include <vector>
 
 #include "linkwright/infinitesimal/motion_series.hpp"
-#include "linkwright/mechanism/tracing_four_bar.hpp"
+#include "linkwright/mechanism/four_bar.hpp"
 
 namespace linkwright {
 

@@ -9,6 +9,7 @@
 
 #include "linkwright/sweep/block_journal.hpp"
 #include "linkwright/sweep/sweep_plan.hpp"
+#include "linkwright/sweep/sweep_table.hpp"
 
 namespace linkwright {
 
@@ -59,5 +60,14 @@ struct SweepRunOptions {
 /// more, when cancelled, or with what kept a block from being written.
 [[nodiscard]] std::optional<Error> run_sweep(const SweepPlan& plan, BlockSource& source, BlockJournal& journal,
                                              const SweepRunOptions& options);
+
+/// The rows of samples [first, last) of a plan, computed by the calling thread alone; nothing when cancelled before all
+/// are there. A sample whose values make no problem is a row that says so.
+[[nodiscard]] std::optional<SweepRows> sweep_samples(const SweepPlan& plan, std::int64_t first, std::int64_t last,
+                                                     const std::atomic<bool>* cancelled = nullptr);
+
+/// The same of block number `block` of the plan, from 0.
+[[nodiscard]] std::optional<SweepRows> sweep_block(const SweepPlan& plan, std::int64_t block,
+                                                   const std::atomic<bool>* cancelled = nullptr);
 
 }  // namespace linkwright

@@ -12,7 +12,7 @@
 #include "linkwright/core/result.hpp"
 #include "linkwright/sweep/sampling.hpp"
 #include "linkwright/sweep/sweep_table.hpp"
-#include "linkwright/synthesis/problem.hpp"
+#include "linkwright/synthesis/solve.hpp"
 
 namespace linkwright {
 

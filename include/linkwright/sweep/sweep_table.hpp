@@ -3,9 +3,12 @@
 #include <array>
 #include <cstddef>
 #include <cstdint>
+#include <span>
 #include <string>
 #include <string_view>
 #include <vector>
+
+#include "linkwright/synthesis/solve.hpp"
 
 namespace linkwright {
 
@@ -78,5 +81,14 @@ class SweepRows {
  private:
   std::array<TableRows, sweep_table_names.size()> tables_;
 };
+
+/// A number, flag or word of the linkages of a result file that a sweep can keep.
+struct KeptColumn {
+  SweepColumn column;
+  bool by_default = false;  ///< kept where a sweep does not say which
+};
+
+/// All that can be kept of the linkages of a problem; columns of tolerances where it has some.
+[[nodiscard]] std::vector<KeptColumn> keepable_columns(const Problem& problem);
 
 }  // namespace linkwright

@@ -7,8 +7,8 @@
 #include <variant>
 #include <vector>
 
-#include "linkwright/core/notice.hpp"
-#include "linkwright/mechanism/dyad.hpp"
+#include "linkwright/core/result.hpp"
+#include "linkwright/mechanism/four_bar.hpp"
 #include "linkwright/planar/chain_family.hpp"
 #include "linkwright/planar/four_bar_solution.hpp"
 #include "linkwright/planar/missed_box.hpp"
@@ -16,7 +16,7 @@
 #include "linkwright/planar/six_bar_synthesis.hpp"
 #include "linkwright/planar/task_family.hpp"
 #include "linkwright/region/added_measures.hpp"
-#include "linkwright/region/pareto_front.hpp"
+#include "linkwright/region/best_cells.hpp"
 #include "linkwright/region/region_map.hpp"
 #include "linkwright/region/requirement_filter.hpp"
 #include "linkwright/region/requirements.hpp"

@@ -10,7 +10,7 @@
 #include "linkwright/region/linkage_family.hpp"
 #include "linkwright/robust/tolerances.hpp"
 #include "linkwright/synthesis/answer.hpp"
-#include "linkwright/synthesis/problem.hpp"
+#include "linkwright/synthesis/solve.hpp"
 #include "linkwright/synthesis/task.hpp"
 
 namespace linkwright {

@@ -2,11 +2,11 @@
 #include <cmath>
 #include <fmt/format.h>
 
+#include "attitude/finite_rotation.hpp"
 #include "drawing/palette.hpp"
 #include "euler_angles_figure.hpp"
-#include "linkwright/attitude/finite_rotation.hpp"
 #include "linkwright/core/angle.hpp"
-#include "linkwright/drawing/attitude_drawing.hpp"
+#include "linkwright/drawing/svg_drawing.hpp"
 #include "linkwright/files/number_text.hpp"
 #include "space_figure.hpp"
 

@@ -4,7 +4,7 @@
 
 #include "drawing/palette.hpp"
 #include "linkwright/core/angle.hpp"
-#include "linkwright/drawing/attitude_drawing.hpp"
+#include "linkwright/drawing/svg_drawing.hpp"
 #include "linkwright/files/number_text.hpp"
 #include "space_figure.hpp"
 

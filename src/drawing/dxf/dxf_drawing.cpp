@@ -1,11 +1,10 @@
-#include "linkwright/drawing/dxf_drawing.hpp"
+#include "drawing/dxf_drawing.hpp"
 
 #include <algorithm>
 #include <array>
 #include <vector>
 
-#include "drawing/four_bar/linkage_positions.hpp"
-#include "dxf_parts.hpp"
+#include "drawing/four_bar/linkage_figure.hpp"
 #include "dxf_writer.hpp"
 #include "linkwright/core/angle.hpp"
 #include "linkwright/files/csv_table.hpp"

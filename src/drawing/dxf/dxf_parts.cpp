@@ -1,7 +1,6 @@
-#include "dxf_parts.hpp"
-
 #include <fmt/format.h>
 
+#include "dxf_writer.hpp"
 #include "linkwright/core/angle.hpp"
 #include "linkwright/files/length_unit.hpp"
 

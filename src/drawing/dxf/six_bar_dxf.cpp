@@ -2,10 +2,9 @@
 #include <array>
 #include <vector>
 
+#include "drawing/dxf_drawing.hpp"
 #include "drawing/six_bar/six_bar_figure.hpp"
-#include "dxf_parts.hpp"
 #include "dxf_writer.hpp"
-#include "linkwright/drawing/dxf_drawing.hpp"
 
 namespace linkwright {
 namespace {

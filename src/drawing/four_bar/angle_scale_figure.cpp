@@ -1,10 +1,9 @@
-#include "angle_scale_figure.hpp"
-
 #include <algorithm>
 #include <cmath>
 #include <fmt/format.h>
 
 #include "drawing/palette.hpp"
+#include "linkage_figure.hpp"
 #include "linkwright/core/angle.hpp"
 
 namespace linkwright {

@@ -1,11 +1,10 @@
-#include "bead_figure.hpp"
-
 #include <algorithm>
 #include <array>
 #include <fmt/format.h>
 #include <optional>
 
 #include "drawing/palette.hpp"
+#include "linkage_figure.hpp"
 
 namespace linkwright {
 namespace {

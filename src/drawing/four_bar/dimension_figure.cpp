@@ -1,5 +1,3 @@
-#include "dimension_figure.hpp"
-
 #include <algorithm>
 #include <array>
 #include <cmath>
@@ -7,6 +5,7 @@
 #include <vector>
 
 #include "drawing/palette.hpp"
+#include "linkage_figure.hpp"
 #include "linkwright/core/angle.hpp"
 #include "linkwright/files/number_text.hpp"
 

@@ -1,18 +1,16 @@
-#include "drawing/four_bar/four_bar_drawing.hpp"
-
 #include <fmt/format.h>
 
 #include "drawing/error_plot.hpp"
-#include "drawing/four_bar/linkage_strip.hpp"
 #include "drawing/palette.hpp"
 #include "drawing/region_figure.hpp"
 #include "drawing/sheet.hpp"
 #include "drawing/svg_canvas.hpp"
 #include "drawing/task_scene.hpp"
+#include "linkage_figure.hpp"
 #include "linkwright/files/label.hpp"
 #include "linkwright/files/number_text.hpp"
 #include "linkwright/files/task_label.hpp"
-#include "linkwright/planar/function_linkage.hpp"
+#include "planar/function_linkage.hpp"
 
 namespace linkwright {
 namespace {

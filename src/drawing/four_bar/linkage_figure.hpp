@@ -1,14 +1,22 @@
 #pragma once
 
+#include <array>
+#include <cstddef>
 #include <span>
 #include <string>
 #include <string_view>
+#include <vector>
 
 #include "drawing/plane_window.hpp"
 #include "drawing/svg_canvas.hpp"
+#include "linkwright/files/linkage_file.hpp"
+#include "linkwright/files/problem_file.hpp"
 #include "linkwright/mechanism/four_bar.hpp"
 #include "linkwright/mechanism/pose.hpp"
+#include "linkwright/planar/function_task.hpp"
+#include "linkwright/planar/pose_conditions.hpp"
 #include "linkwright/region/requirements.hpp"
+#include "linkwright/synthesis/answer.hpp"
 
 namespace linkwright {
 
@@ -57,5 +65,76 @@ double draw_line_key(SvgCanvas& svg, Point left, std::string_view attributes, st
 
 /// px from where an entry starts to where the next one does.
 [[nodiscard]] double line_key_width(std::string_view name);
+
+/// The lengths of the four links, each beside its link where it is clearest of the other links, pivots and lengths.
+void draw_dimensions(SvgCanvas& svg, const PlaneWindow& window, const FourBar& four_bar);
+
+/// The dials of a generator that stands at the first pair: round each ground pivot an arc over the range, with a
+/// numbered mark where the link stands at each pair. `task` with its free parameter fixed.
+void draw_angle_scales(SvgCanvas& svg, const PlaneWindow& window, const FourBar& four_bar, const FunctionTask& task);
+
+/// Pivots of the linkage at each pair, for the window.
+[[nodiscard]] std::vector<Point> angle_scale_points(const FourBar& four_bar, const FunctionTask& task);
+
+// The few grounded links of five positions as beads: an open one for the fixed pivot, a full one for the moving pivot
+// in position 1, with the number of the grounded link. Dyads in the fixed frame; a pivot at infinity has none.
+
+/// The links between the beads, which go behind the linkage.
+void draw_bead_links(SvgCanvas& svg, const PlaneWindow& window, const WorkingFrame& frame, std::span<const Dyad> dyads);
+
+/// Beads and numbers; the numbers keep clear of each other and of `taken` (px).
+void draw_beads(SvgCanvas& svg, const PlaneWindow& window, const WorkingFrame& frame, std::span<const Dyad> dyads,
+                std::vector<Point> taken);
+
+/// What the beads are, and where the next entry starts.
+double draw_bead_key(SvgCanvas& svg, Point left);
+[[nodiscard]] double bead_key_width();
+
+/// The finite pivots of a dyad in the fixed frame.
+[[nodiscard]] std::vector<Point> finite_pivots(const Dyad& dyad, const WorkingFrame& frame);
+
+/// A white card with a heading.
+void draw_card(SvgCanvas& svg, const PixelBox& card, std::string_view heading);
+
+/// A text in lines of about `width` px, at most `lines` of them; they lie one and a half sizes apart.
+void draw_wrapped(SvgCanvas& svg, Point position, std::string_view text, double width, int lines, double size = 15);
+
+/// The type with its colour.
+void draw_type_name(SvgCanvas& svg, Point corner, LinkageType type);
+/// The same, and the least transmission angle over the task or that there is a defect.
+void draw_type(SvgCanvas& svg, Point corner, const DefectReport& report);
+/// "71.8° counter-clockwise": what the input turns through, "–" with a defect.
+[[nodiscard]] std::string rotation_text(const DefectReport& report);
+
+/// Rows of the link lengths and of the pivots with the colours of their roles, `corner` the upper left one of a card;
+/// `position`: in which the moving pivots lie, from 1.
+void draw_length_rows(SvgCanvas& svg, Point corner, double width, const LinkLengths& lengths, std::string_view unit);
+void draw_pivot_rows(SvgCanvas& svg, Point corner, double width, const FourBar& four_bar, int position = 1);
+
+/// A wide, low card with the numbers of the best linkage: type, transmission angle, lengths, pivots, checks.
+void draw_linkage_strip(SvgCanvas& svg, const PixelBox& card, const FourBarAnswer& answer, std::string_view unit);
+
+/// The same card where there is no linkage: why, and the ways out of five positions.
+void draw_reason_strip(SvgCanvas& svg, const PixelBox& card, const MotionAnswer& answer, std::string_view unit);
+void draw_reason_strip(SvgCanvas& svg, const PixelBox& card, const FunctionAnswer& answer, std::string_view unit);
+
+/// The four-bar, given as it lies in the first of the poses, as it lies in another one.
+[[nodiscard]] FourBar in_pose(const FourBar& four_bar, std::span<const PrescribedPose> poses, std::size_t pose);
+
+/// A linkage of a file by its positions, as it moves: where it comes nearest to each, and on another circuit as it
+/// would be assembled there.
+[[nodiscard]] std::vector<FourBar> in_positions(const StoredLinkage& linkage);
+
+/// The traced point's way from the first pose to the last, driven as the task wants; empty where a defect forbids it
+/// and of a single pose.
+[[nodiscard]] std::vector<Point> path_of_task(const FourBar& four_bar, std::span<const PrescribedPose> poses,
+                                              Point traced);
+
+/// The traced point's way over the whole motion cycle.
+[[nodiscard]] std::vector<Point> path_of_cycle(const FourBar& four_bar, Point traced);
+
+/// As draw_answer(): the best four-bar in its task, the solution region, the numbers.
+[[nodiscard]] std::string draw_sheet(const Problem& problem, const MotionAnswer& answer);
+[[nodiscard]] std::string draw_sheet(const Problem& problem, const FunctionAnswer& answer);
 
 }  // namespace linkwright

@@ -1,7 +1,6 @@
-#include "linkage_positions.hpp"
-
 #include <algorithm>
 
+#include "linkage_figure.hpp"
 #include "linkwright/analysis/coupler_curve.hpp"
 #include "linkwright/analysis/defects.hpp"
 #include "linkwright/files/csv_table.hpp"

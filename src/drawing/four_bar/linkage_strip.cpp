@@ -1,11 +1,10 @@
-#include "linkage_strip.hpp"
-
 #include <cmath>
 #include <fmt/format.h>
 #include <string>
 
 #include "drawing/number_rows.hpp"
 #include "drawing/palette.hpp"
+#include "linkage_figure.hpp"
 #include "linkwright/core/angle.hpp"
 #include "linkwright/files/label.hpp"
 #include "linkwright/files/number_text.hpp"

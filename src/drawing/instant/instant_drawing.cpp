@@ -1,17 +1,14 @@
-#include "linkwright/drawing/instant_drawing.hpp"
-
 #include <algorithm>
 #include <fmt/format.h>
 
 #include "drawing/four_bar/linkage_figure.hpp"
-#include "drawing/four_bar/linkage_positions.hpp"
-#include "drawing/four_bar/linkage_strip.hpp"
 #include "drawing/number_rows.hpp"
 #include "drawing/palette.hpp"
 #include "drawing/sheet.hpp"
 #include "instant_figure.hpp"
 #include "linkwright/analysis/position.hpp"
 #include "linkwright/core/angle.hpp"
+#include "linkwright/drawing/svg_drawing.hpp"
 #include "linkwright/files/number_text.hpp"
 #include "linkwright/files/task_label.hpp"
 

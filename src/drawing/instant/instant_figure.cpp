@@ -8,7 +8,7 @@
 #include "drawing/palette.hpp"
 #include "drawing/point_marks.hpp"
 #include "linkwright/core/angle.hpp"
-#include "linkwright/infinitesimal/stationary_curve.hpp"
+#include "linkwright/infinitesimal/stationary_curvature.hpp"
 
 namespace linkwright {
 namespace {

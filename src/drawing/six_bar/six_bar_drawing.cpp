@@ -1,11 +1,8 @@
-#include "six_bar_drawing.hpp"
-
 #include <algorithm>
 #include <fmt/format.h>
 #include <optional>
 
 #include "drawing/four_bar/linkage_figure.hpp"
-#include "drawing/four_bar/linkage_strip.hpp"
 #include "drawing/number_rows.hpp"
 #include "drawing/palette.hpp"
 #include "drawing/region_figure.hpp"
@@ -17,7 +14,6 @@
 #include "linkwright/files/number_text.hpp"
 #include "linkwright/files/task_label.hpp"
 #include "six_bar_figure.hpp"
-#include "six_bar_strip.hpp"
 
 namespace linkwright {
 namespace {

@@ -6,7 +6,7 @@
 
 #include "drawing/four_bar/linkage_figure.hpp"
 #include "drawing/palette.hpp"
-#include "drawing/point_names.hpp"
+#include "drawing/point_marks.hpp"
 #include "linkwright/core/angle.hpp"
 #include "linkwright/core/tolerance.hpp"
 

@@ -2,12 +2,17 @@
 
 #include <array>
 #include <span>
+#include <string>
 #include <string_view>
 #include <vector>
 
 #include "drawing/plane_window.hpp"
 #include "drawing/svg_canvas.hpp"
+#include "linkwright/files/problem_file.hpp"
 #include "linkwright/files/six_bar_file.hpp"
+#include "linkwright/mechanism/six_bar.hpp"
+#include "linkwright/synthesis/answer.hpp"
+#include "linkwright/synthesis/solve.hpp"
 
 namespace linkwright {
 
@@ -32,5 +37,25 @@ struct SixBarScene {
 
 /// Paths, other positions, ground, links, poses, pins and the hinges' names, from back to front.
 void draw_six_bar(SvgCanvas& svg, const PlaneWindow& window, const SixBarScene& scene);
+
+/// Rows of hinges [from, to) with the bodies that they join, and of lengths [from, to), `corner` the upper left one of
+/// a card.
+void draw_hinge_rows(SvgCanvas& svg, Point corner, double width, const SixBar& six_bar, std::size_t from,
+                     std::size_t to);
+void draw_length_rows(SvgCanvas& svg, Point corner, double width, const SixBar& six_bar, std::size_t from,
+                      std::size_t to);
+
+/// A row of each body: colour, what it is, its hinges.
+void draw_body_rows(SvgCanvas& svg, Point corner, double width, const SixBar& six_bar);
+
+/// A row of each six-bar with its numbers, the heading first.
+void draw_six_bar_table(SvgCanvas& svg, Point corner, double width, const SixBarAnswer& answer);
+
+/// "32.1° counter-clockwise", "–".
+[[nodiscard]] std::string drive_text(const SixBarDriveReport& drive);
+
+/// As draw_answer(const Problem&, const Answer&): the best six-bar; the map of its chain, or of a search what it has
+/// found; the numbers.
+[[nodiscard]] std::string draw_sheet(const Problem& problem, const SixBarAnswer& answer);
 
 }  // namespace linkwright

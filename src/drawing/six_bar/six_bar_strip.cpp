@@ -1,5 +1,3 @@
-#include "six_bar_strip.hpp"
-
 #include <algorithm>
 #include <array>
 #include <fmt/format.h>

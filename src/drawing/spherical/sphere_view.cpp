@@ -1,9 +1,8 @@
-#include "sphere_view.hpp"
-
 #include <algorithm>
 #include <cmath>
 
 #include "linkwright/core/angle.hpp"
+#include "spherical_figure.hpp"
 
 namespace linkwright {
 namespace {

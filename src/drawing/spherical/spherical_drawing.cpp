@@ -1,10 +1,7 @@
-#include "spherical_drawing.hpp"
-
 #include <algorithm>
 #include <fmt/format.h>
 
 #include "drawing/four_bar/linkage_figure.hpp"
-#include "drawing/four_bar/linkage_strip.hpp"
 #include "drawing/number_rows.hpp"
 #include "drawing/palette.hpp"
 #include "drawing/region_figure.hpp"

@@ -1,17 +1,14 @@
-#include "spherical_function_drawing.hpp"
-
 #include <fmt/format.h>
 
 #include "drawing/error_plot.hpp"
 #include "drawing/four_bar/linkage_figure.hpp"
-#include "drawing/four_bar/linkage_strip.hpp"
 #include "drawing/region_figure.hpp"
 #include "drawing/sheet.hpp"
 #include "linkwright/core/angle.hpp"
 #include "linkwright/files/label.hpp"
 #include "linkwright/files/number_text.hpp"
 #include "linkwright/files/task_label.hpp"
-#include "linkwright/spherical/spherical_function_linkage.hpp"
+#include "spherical/spherical_function_linkage.hpp"
 #include "spherical_figure.hpp"
 
 namespace linkwright {

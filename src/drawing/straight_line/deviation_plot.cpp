@@ -1,5 +1,3 @@
-#include "deviation_plot.hpp"
-
 #include <algorithm>
 #include <cmath>
 #include <fmt/format.h>
@@ -9,6 +7,7 @@
 #include "drawing/palette.hpp"
 #include "drawing/plot_scale.hpp"
 #include "linkwright/files/number_text.hpp"
+#include "straight_line_figure.hpp"
 
 namespace linkwright {
 namespace {

@@ -1,5 +1,3 @@
-#include "linkage_gallery.hpp"
-
 #include <algorithm>
 #include <cmath>
 #include <fmt/format.h>

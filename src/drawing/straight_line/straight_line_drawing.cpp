@@ -1,16 +1,11 @@
-#include "straight_line_drawing.hpp"
-
 #include <fmt/format.h>
 
-#include "deviation_plot.hpp"
 #include "drawing/four_bar/linkage_figure.hpp"
-#include "drawing/four_bar/linkage_strip.hpp"
 #include "drawing/number_rows.hpp"
 #include "drawing/palette.hpp"
 #include "drawing/region_figure.hpp"
 #include "drawing/sheet.hpp"
 #include "drawing/svg_canvas.hpp"
-#include "linkage_gallery.hpp"
 #include "linkwright/core/angle.hpp"
 #include "linkwright/core/count_text.hpp"
 #include "linkwright/files/label.hpp"

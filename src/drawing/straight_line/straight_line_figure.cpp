@@ -6,7 +6,6 @@
 #include <utility>
 
 #include "drawing/four_bar/linkage_figure.hpp"
-#include "drawing/four_bar/linkage_positions.hpp"
 #include "drawing/instant/instant_figure.hpp"
 #include "drawing/palette.hpp"
 #include "drawing/point_marks.hpp"

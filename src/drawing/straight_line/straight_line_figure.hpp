@@ -1,12 +1,16 @@
 #pragma once
 
+#include <string>
+#include <string_view>
 #include <vector>
 
 #include "drawing/plane_window.hpp"
 #include "drawing/svg_canvas.hpp"
 #include "linkwright/algebra/directed_line.hpp"
+#include "linkwright/files/problem_file.hpp"
 #include "linkwright/infinitesimal/instant_analysis.hpp"
 #include "linkwright/straight_line/straight_line_solution.hpp"
+#include "linkwright/synthesis/answer.hpp"
 
 namespace linkwright {
 
@@ -42,5 +46,19 @@ void draw_small_scene(SvgCanvas& svg, const PixelBox& box, const LineScene& scen
 
 /// What the lines are, the last entry ending at `right`.
 void draw_line_keys(SvgCanvas& svg, Point right);
+
+/// The deviation of a linkage's point from its line over the way along the line, magnified: the strip within which its
+/// length counts as usable, the ends of that, where the linkage lies and, of contacts at places, those. `box`: of the
+/// curve; numbers stand left of it, right of it and below it (44, 34 and 34 px), the heading above (18 px).
+void draw_deviation_plot(SvgCanvas& svg, const PixelBox& box, const StraightLineSolution& found, LineMeasure measure,
+                         std::string_view length_unit);
+
+/// The best linkages small, side by side in a rectangle of a picture, each with what it is and its usable length: as
+/// many as can be told apart there.
+void draw_gallery(SvgCanvas& svg, const PixelBox& box, const StraightLineAnswer& answer, std::string_view length_unit);
+
+/// As draw_answer(const Problem&, const Answer&): the best linkage with its line, Ball's point and inflection circle;
+/// the map; the deviation from the line, magnified; the numbers.
+[[nodiscard]] std::string draw_sheet(const Problem& problem, const StraightLineAnswer& answer);
 
 }  // namespace linkwright

@@ -1,4 +1,4 @@
-#include "linkwright/attitude/rotation_step.hpp"
+#include "attitude/rotation_step.hpp"
 #include "linkwright/files/angular_motion_file.hpp"
 #include "linkwright/files/number_text.hpp"
 #include "space_writer.hpp"

@@ -3,9 +3,9 @@
 #include <functional>
 #include <nlohmann/json.hpp>
 
+#include "attitude/nearest_rotation.hpp"
 #include "attitude_header.hpp"
 #include "files/json/json_document.hpp"
-#include "linkwright/attitude/nearest_rotation.hpp"
 #include "linkwright/core/angle.hpp"
 #include "linkwright/files/orientation_file.hpp"
 #include "linkwright/files/problem_file.hpp"

@@ -1,4 +1,4 @@
-#include "linkwright/attitude/finite_rotation.hpp"
+#include "attitude/finite_rotation.hpp"
 #include "linkwright/files/number_text.hpp"
 #include "linkwright/files/orientation_file.hpp"
 #include "space_writer.hpp"

@@ -1,7 +1,7 @@
 #pragma once
 
+#include "core/number_check.hpp"
 #include "fields/field_visitor.hpp"
-#include "linkwright/core/number_check.hpp"
 
 // Values that several structs of a problem have.
 namespace linkwright::forms {

@@ -6,7 +6,7 @@
 
 #include "files/json/json_writer.hpp"
 #include "files/tolerance_writer.hpp"
-#include "linkwright/core/notice.hpp"
+#include "linkwright/core/result.hpp"
 #include "linkwright/mechanism/pose.hpp"
 #include "linkwright/planar/four_bar_solution.hpp"
 

@@ -7,7 +7,7 @@
 #include "files/problem_writer.hpp"
 #include "files/result_writer.hpp"
 #include "linkwright/core/angle.hpp"
-#include "linkwright/spherical/spherical_type.hpp"
+#include "linkwright/spherical/spherical_defects.hpp"
 
 namespace linkwright {
 namespace {

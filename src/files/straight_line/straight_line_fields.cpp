@@ -3,7 +3,7 @@
 #include "files/fields/forms.hpp"
 #include "files/problem_fields.hpp"
 #include "linkwright/core/angle.hpp"
-#include "linkwright/straight_line/symmetric_lambda.hpp"
+#include "straight_line/symmetric_lambda.hpp"
 
 namespace linkwright {
 

@@ -5,7 +5,7 @@
 
 #include "linkwright/analysis/position.hpp"
 #include "linkwright/core/angle.hpp"
-#include "linkwright/mechanism/tracing_four_bar.hpp"
+#include "linkwright/mechanism/four_bar.hpp"
 
 namespace linkwright {
 namespace {

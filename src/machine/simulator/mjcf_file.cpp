@@ -2,9 +2,9 @@
 #include <fmt/format.h>
 
 #include "linkwright/core/angle.hpp"
-#include "linkwright/machine/simulator_file.hpp"
 #include "machine/simulator/simulator_model.hpp"
 #include "machine/simulator/xml_writer.hpp"
+#include "machine/simulator_file.hpp"
 
 namespace linkwright {
 namespace {

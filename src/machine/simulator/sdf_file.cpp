@@ -1,8 +1,8 @@
 #include <fmt/format.h>
 
-#include "linkwright/machine/simulator_file.hpp"
 #include "machine/simulator/simulator_model.hpp"
 #include "machine/simulator/xml_writer.hpp"
+#include "machine/simulator_file.hpp"
 
 namespace linkwright {
 namespace {

@@ -2,7 +2,7 @@
 #include <fmt/format.h>
 
 #include "linkwright/files/number_text.hpp"
-#include "linkwright/machine/simulator_file.hpp"
+#include "machine/simulator_file.hpp"
 
 namespace linkwright {
 namespace {
