@@ -1,9 +1,11 @@
 #include <algorithm>
 #include <array>
+#include <cmath>
 #include <fmt/format.h>
 
 #include "files/attitude/space_reader.hpp"
 #include "files/fields/forms.hpp"
+#include "linkwright/core/angle.hpp"
 #include "linkwright/files/nearest_name.hpp"
 #include "problem_fields.hpp"
 
@@ -57,67 +59,6 @@ void visit_types(FieldVisitor& v, std::vector<LinkageType>& types) {
   });
 }
 
-/// A requirement as files have it; the bounds of numbers in their unit.
-struct Described {
-  RequirementKind kind;
-  std::string_view about;
-  Number number = {};
-};
-
-constexpr std::array<Described, requirement_kind_count> described = {{
-    {RequirementKind::types,
-     "Wanted types; none or null: any. Triple rockers are told by their longest link in the plane, on the sphere they "
-     "are "
-     "one type."},
-    {RequirementKind::no_defects, "Neither order nor branch nor circuit defect."},
-    {RequirementKind::min_transmission_angle,
-     "Least transmission angle over the task.",
-     {.least = 0, .most = 90, .below = true}},
-    {RequirementKind::max_link_ratio, "Longest over shortest of the four links.", {.least = 1}},
-    {RequirementKind::max_length,
-     "Longest of the four links; default 10 times the task's characteristic length, which is seen from position 1: "
-     "give a "
-     "length where the positions may also be passed the other way round.",
-     forms::positive},
-    {RequirementKind::min_length,
-     "Shortest of the four links; default a thousandth of the task's characteristic length, or of max_length where "
-     "that "
-     "is shorter. null: any.",
-     {.least = 0}},
-    {RequirementKind::ground_pivots_within, "Both fixed pivots."},
-    {RequirementKind::moving_pivots_within,
-     "Both moving pivots, in position 1; in position 2 where \"freed_pose\" is 1."},
-    {RequirementKind::min_link_angle,
-     "Spherical linkages: least of the four links' angles, an angle and its supplement being the same link.",
-     {.least = 0, .most = 90, .below = true}},
-    {RequirementKind::max_link_angle,
-     "Spherical linkages: largest of the four links' angles, as for the least.",
-     {.least = 0, .most = 90, .above = true}},
-    {RequirementKind::fixed_axes_within, "Spherical linkages: both fixed axes."},
-    {RequirementKind::moving_axes_within, "Spherical linkages: both moving axes, in position 1."},
-    {RequirementKind::min_stroke, "Straight lines: least usable length.", {.least = 0}},
-    {RequirementKind::max_deviation,
-     "Straight lines: largest deviation over the stroke, or over the usable length where no stroke is asked for.",
-     forms::positive},
-    {RequirementKind::max_tolerance_error,
-     "Largest error by tolerances, in their unit: the user's length; of functions and spherical linkages degrees. "
-     "Needs "
-     "tolerances; off where it is not given.",
-     forms::positive},
-    {RequirementKind::min_yield,
-     "Least share of sampled linkages that assemble and keep the limit in all positions. Needs tolerances with a "
-     "limit; "
-     "off where it is not given.",
-     {.least = 0, .most = 1}},
-}};
-
-constexpr bool are_described_by_kind() {
-  for (std::size_t i = 0; i < described.size(); ++i)
-    if (described[i].kind != static_cast<RequirementKind>(i)) return false;
-  return true;
-}
-static_assert(are_described_by_kind());
-
 struct RequirementFields {
   FieldVisitor& v;
   const Criterion& asked;
@@ -125,10 +66,14 @@ struct RequirementFields {
   Requirements& wanted;
 
   [[nodiscard]] Number number() const {
-    Number number = described[static_cast<std::size_t>(asked.kind)].number;
-    number.is_angle = asked.is_angle();
-    number.null = asked.any;
-    return number;
+    const auto in_files = [&](double x) { return asked.is_angle() ? degrees(x) : x; };
+    const auto& [low, high, with_low, with_high] = asked.range;
+    return {.least = in_files(low),
+            .most = in_files(high),
+            .above = !with_low,
+            .below = !with_high && std::isfinite(high),
+            .is_angle = asked.is_angle(),
+            .null = asked.any};
   }
   void operator()(double Requirements::*limit) const {
     const bool is_said = !asked.is_of_tolerances || asked.has_limit(wanted);
@@ -164,7 +109,7 @@ void fields(FieldVisitor& v, RequirementsOf& of) {
   v.object(object, [&](FieldVisitor& to) {
     for (const Criterion& asked : criteria()) {
       const bool is_own = place_among(of.linkages.requirements, asked.kind) < of.linkages.requirements.size();
-      const Field field(asked.key, described[static_cast<std::size_t>(asked.kind)].about);
+      const Field field(asked.key, asked.about);
       std::visit(RequirementFields{to, asked, field.written(is_own), of.wanted}, asked.asked);
     }
     to.optional(Field("respect_direction",

@@ -44,7 +44,8 @@ struct Criterion {
                              std::optional<Cone> Requirements::*>;
 
   RequirementKind kind;
-  std::string_view key;  ///< in files: no_defects, min_transmission_angle_deg, …
+  std::string_view key;    ///< in files: no_defects, min_transmission_angle_deg, …
+  std::string_view about;  ///< a sentence for those who write files
   Rule rule;
   Unit unit;
   Asked asked;
