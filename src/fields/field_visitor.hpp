@@ -174,6 +174,7 @@ class FieldVisitor {
   virtual void whole(std::int64_t& value, const Whole& described) = 0;
   virtual void flag(bool& value) = 0;
   virtual void text(std::string& value) = 0;
+  /// `chosen`: names.size() where it is none of them, which cannot be written.
   virtual void name(std::size_t& chosen, std::span<const std::string_view> names) = 0;
   virtual void pair(std::array<double, 2>& value, const Pair& described) = 0;
   virtual void vector(Vector3& value, const Vector& described) = 0;
@@ -234,13 +235,13 @@ void visit(FieldVisitor& v, Integer& value, const Whole& whole) {
 template <class Enumerator>
 void visit(FieldVisitor& v, Enumerator& value, const Names<Enumerator>& names) {
   std::vector<std::string_view> written;
-  std::size_t chosen = 0;
+  std::size_t chosen = names.choices.size();  // none of them
   for (std::size_t i = 0; i < names.choices.size(); ++i) {
     written.push_back(name(names.choices[i]));
     if (names.choices[i] == value) chosen = i;
   }
   v.name(chosen, written);
-  value = names.choices[chosen];
+  if (chosen < names.choices.size()) value = names.choices[chosen];
 }
 
 /// A struct by its fields().

@@ -1,5 +1,6 @@
 #include "field_writer.hpp"
 
+#include "linkwright/core/precondition.hpp"
 #include "linkwright/files/number_text.hpp"
 
 namespace linkwright {
@@ -68,7 +69,10 @@ void FieldWriter::number(double& value, const Number& described) {
 void FieldWriter::whole(std::int64_t& value, const Whole& /*described*/) { json_.value(value); }
 void FieldWriter::flag(bool& value) { json_.value(value); }
 void FieldWriter::text(std::string& value) { json_.value(std::string_view(value)); }
-void FieldWriter::name(std::size_t& chosen, std::span<const std::string_view> names) { json_.value(names[chosen]); }
+void FieldWriter::name(std::size_t& chosen, std::span<const std::string_view> names) {
+  require(chosen < names.size(), "what is written has a name in files");
+  json_.value(names[chosen]);
+}
 
 void FieldWriter::pair(std::array<double, 2>& value, const Pair& described) {
   json_.begin_list(Layout::one_line);
