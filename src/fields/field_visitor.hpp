@@ -95,16 +95,27 @@ struct Object {
   std::string_view name = "", about = "";  ///< in the schema
   bool on_lines = false;                   ///< a member a line
 };
+/// An object whose keys come with the data: of what form, as a regular expression.
+struct Keyed {
+  std::string_view pattern;
+  bool on_lines = false;
+};
 /// Names of an enumeration.
 template <class Enumerator>
 struct Names {
   std::vector<Enumerator> choices;
+  std::string_view name = "";  ///< of the enumeration in the schema
+};
+/// Names by their index.
+struct Words {
+  std::vector<std::string_view> choices;
 };
 
 class FieldVisitor;
 using Visit = std::function<void(FieldVisitor&)>;
 /// Of the element of that index, which may be one behind the last.
 using VisitElement = std::function<void(FieldVisitor&, std::size_t)>;
+using BytesOfRow = std::function<std::span<const std::uint8_t>(std::size_t row)>;
 
 /// Members of which others of the object go without: those of its keys that tell that it is meant, then all of it.
 struct Alternative {
@@ -154,6 +165,13 @@ class FieldVisitor {
   template <class Value, class... Form>
   bool given(const Field& field, std::optional<Value>& value, const Form&... form);
 
+  /// Members of what is only written, whose values are worked out: one that is always there, where it is nothing as
+  /// null, and one that is left out then.
+  template <class Value, class... Form>
+  void shown(const Field& field, Value value, const Form&... form);
+  template <class Value, class... Form>
+  void shown_if_any(const Field& field, std::optional<Value> value, const Form&... form);
+
   virtual bool member(const Field& field, bool is_required, const Visit& value) = 0;
   virtual void constant(std::string_view key, std::string_view value) = 0;
   /// A member that belongs elsewhere: why it is refused.
@@ -180,6 +198,16 @@ class FieldVisitor {
   virtual void vector(Vector3& value, const Vector& described) = 0;
   /// An object that is none of ours, as JSON text.
   virtual void foreign(std::string& object) = 0;
+  /// A value with a name of its own in the schema, and one that another schema describes there:
+  /// "problem.schema.json#/$defs/pose".
+  virtual void named(std::string_view /*name*/, const Visit& value) { value(*this); }
+  virtual void described_in(std::string_view /*where*/, const Visit& value) { value(*this); }
+
+  // Of what is only written.
+  virtual void keyed(const Keyed& /*described*/, std::span<const std::string> /*keys*/, const VisitElement& /*value*/) {
+  }
+  /// A text of many bytes, as base64.
+  virtual void bytes(std::size_t /*rows*/, const BytesOfRow& /*of_row*/) {}
 
   /// What is wrong here with what was read; of the second asked for only where all of the object could be read.
   virtual void mistake(std::string_view /*code*/, const std::string& /*message*/, const Values& /*values*/) {}
@@ -240,9 +268,11 @@ void visit(FieldVisitor& v, Enumerator& value, const Names<Enumerator>& names) {
     written.push_back(name(names.choices[i]));
     if (names.choices[i] == value) chosen = i;
   }
-  v.name(chosen, written);
+  v.named(names.name, [&](FieldVisitor& to) { to.name(chosen, written); });
   if (chosen < names.choices.size()) value = names.choices[chosen];
 }
+
+inline void visit(FieldVisitor& v, std::size_t& chosen, const Words& words) { v.name(chosen, words.choices); }
 
 /// A struct by its fields().
 template <class Struct>
@@ -271,6 +301,20 @@ template <class Element, std::size_t count, class... Form>
 void visit(FieldVisitor& v, std::array<Element, count>& values, const List& list, const Form&... form) {
   Element more{};
   v.list(list, count, [&](FieldVisitor& to, std::size_t i) { visit(to, i < count ? values[i] : more, form...); });
+}
+
+/// What is only written, by `element`; those who describe see one made by default.
+template <class Source, class Element>
+void visit_each(FieldVisitor& v, const List& list, const std::vector<Source>& sources, const Element& element) {
+  const Source none{};
+  v.list(list, sources.size(),
+         [&](FieldVisitor& to, std::size_t i) { element(to, i < sources.size() ? sources[i] : none); });
+}
+template <class Source, class Element>
+void visit_or_null(FieldVisitor& v, const std::optional<Source>& source, const Element& element) {
+  const Source none{};
+  bool is_there = source.has_value();
+  v.null_or(is_there, [&](FieldVisitor& to) { element(to, source ? *source : none); });
 }
 
 /// The alternative of a variant, made where it holds another one.
@@ -308,6 +352,16 @@ bool FieldVisitor::given(const Field& field, std::optional<Value>& value, const 
     visit(to, held, form...);
     value = held;
   });
+}
+
+template <class Value, class... Form>
+void FieldVisitor::shown(const Field& field, Value value, const Form&... form) {
+  required(field, value, form...);
+}
+
+template <class Value, class... Form>
+void FieldVisitor::shown_if_any(const Field& field, std::optional<Value> value, const Form&... form) {
+  given(field, value, form...);
 }
 
 }  // namespace linkwright

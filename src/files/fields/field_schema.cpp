@@ -28,6 +28,10 @@ Json list_of(std::size_t least, std::size_t most, Json element) {
 }
 
 Json or_null(Json schema) {
+  if (schema.size() == 1 && schema.contains("anyOf")) {
+    schema["anyOf"].push_back({{"type", "null"}});
+    return schema;
+  }
   if (!schema.contains("type") || schema.contains("enum") || schema.contains("$ref"))
     return {{"anyOf", {std::move(schema), {{"type", "null"}}}}};
   schema["type"] = {schema["type"], "null"};
@@ -75,7 +79,8 @@ void FieldSchema::define(std::string_view name, std::string_view about, Json sch
 }
 
 bool FieldSchema::member(const Field& field, bool is_required, const Visit& value) {
-  const Json default_value = field.is_absent || is_required ? Json() : written(value);
+  const bool has_default = defaults_ == Defaults::told && !field.is_absent && !is_required;
+  const Json default_value = has_default ? written(value) : Json();
   Json whole = described(field.about, of(value));
   if (!default_value.is_null()) whole["default"] = default_value;
   schema_["properties"][field.key] = whole;
@@ -164,7 +169,8 @@ Json FieldSchema::of(const Number& number) const {
 void FieldSchema::number(double& /*value*/, const Number& number) { define(number.name, number.about, of(number)); }
 
 void FieldSchema::whole(std::int64_t& /*value*/, const Whole& whole) {
-  schema_ = {{"type", "integer"}, {"minimum", whole.least}, {"maximum", whole.most}};
+  schema_ = {{"type", "integer"}, {"minimum", whole.least}};
+  if (whole.most != std::numeric_limits<std::int64_t>::max()) schema_["maximum"] = whole.most;
 }
 
 void FieldSchema::flag(bool& /*value*/) { schema_["type"] = "boolean"; }
@@ -185,6 +191,19 @@ void FieldSchema::vector(Vector3& /*value*/, const Vector& vector) {
 }
 
 void FieldSchema::foreign(std::string& /*object*/) { schema_["type"] = "object"; }
+
+void FieldSchema::named(std::string_view name, const Visit& value) { define(name, "", of(value)); }
+void FieldSchema::described_in(std::string_view where, const Visit& /*value*/) { schema_["$ref"] = where; }
+
+void FieldSchema::keyed(const Keyed& described_as, std::span<const std::string> keys, const VisitElement& value) {
+  const Json each = of([&](FieldVisitor& to) { value(to, keys.empty() ? 0 : keys.size() - 1); });
+  schema_ = {
+      {"type", "object"}, {"propertyNames", {{"pattern", described_as.pattern}}}, {"additionalProperties", each}};
+}
+
+void FieldSchema::bytes(std::size_t /*rows*/, const BytesOfRow& /*of_row*/) {
+  define("base64", "", {{"type", "string"}, {"contentEncoding", "base64"}, {"pattern", "^[A-Za-z0-9+/]*={0,2}$"}});
+}
 
 namespace {
 
@@ -213,16 +232,24 @@ std::string readable(const Json& json, std::size_t indent, std::size_t beside) {
   return fmt::format("{}\n{}\n{}{}", begin, text, std::string(indent, ' '), end);
 }
 
-Json problem_schema(const Json& rules) {
-  Problem problem;
-  problem.requirements.min_link_angle = default_min_link_angle;
-  FieldSchema visitor;
-  fields(visitor, problem);
+namespace {
+
+Json with_rules(FieldSchema& visitor, const Json& rules) {
   Json whole = rules;
   whole.erase("$defs");
   whole.update(visitor.take());
   whole.merge_patch(rules);
   return whole;
+}
+
+}  // namespace
+
+Json problem_schema(const Json& rules) {
+  Problem problem;
+  problem.requirements.min_link_angle = default_min_link_angle;
+  FieldSchema visitor;
+  fields(visitor, problem);
+  return with_rules(visitor, rules);
 }
 
 }  // namespace linkwright

@@ -13,6 +13,10 @@ class FieldSchema final : public FieldVisitor {
  public:
   using Json = nlohmann::ordered_json;
 
+  /// Without defaults of what is only written.
+  enum class Defaults { told, left_out };
+  explicit FieldSchema(Defaults defaults = Defaults::told) : defaults_(defaults) {}
+
   /// The schema of what was visited, with its definitions.
   [[nodiscard]] Json take();
 
@@ -35,6 +39,10 @@ class FieldSchema final : public FieldVisitor {
   void pair(std::array<double, 2>& value, const Pair& described) override;
   void vector(Vector3& value, const Vector& described) override;
   void foreign(std::string& object) override;
+  void named(std::string_view name, const Visit& value) override;
+  void described_in(std::string_view where, const Visit& value) override;
+  void keyed(const Keyed& described, std::span<const std::string> keys, const VisitElement& value) override;
+  void bytes(std::size_t rows, const BytesOfRow& of_row) override;
 
  private:
   Json of(const Visit& value);
@@ -42,6 +50,7 @@ class FieldSchema final : public FieldVisitor {
   void define(std::string_view name, std::string_view about, Json schema);
   void alternative(const Object& described, const Visit& members);
 
+  Defaults defaults_;
   Json schema_ = Json::object();  ///< of the value in hand
   Json definitions_ = Json::object();
   std::vector<Json> alternatives_;  ///< of the object in hand

@@ -1,5 +1,6 @@
 #include "field_writer.hpp"
 
+#include "files/json/base64.hpp"
 #include "linkwright/core/precondition.hpp"
 #include "linkwright/files/number_text.hpp"
 
@@ -87,5 +88,28 @@ void FieldWriter::vector(Vector3& value, const Vector& /*described*/) {
 }
 
 void FieldWriter::foreign(std::string& object) { json_.json(object); }
+
+void FieldWriter::keyed(const Keyed& described, std::span<const std::string> keys, const VisitElement& value) {
+  json_.begin_object(layout(described.on_lines));
+  for (std::size_t i = 0; i < keys.size(); ++i) {
+    json_.key(keys[i]);
+    value(*this, i);
+  }
+  json_.end_object();
+}
+
+void FieldWriter::bytes(std::size_t rows, const BytesOfRow& of_row) {
+  Base64Encoder encoder;
+  std::string text;
+  json_.begin_text();
+  for (std::size_t row = 0; row < rows; ++row) {
+    encoder.encode(of_row(row), text);
+    json_.text_piece(text);
+    text.clear();
+  }
+  encoder.finish(text);
+  json_.text_piece(text);
+  json_.end_text();
+}
 
 }  // namespace linkwright

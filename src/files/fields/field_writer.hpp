@@ -29,6 +29,8 @@ class FieldWriter final : public FieldVisitor {
   void pair(std::array<double, 2>& value, const Pair& described) override;
   void vector(Vector3& value, const Vector& described) override;
   void foreign(std::string& object) override;
+  void keyed(const Keyed& described, std::span<const std::string> keys, const VisitElement& value) override;
+  void bytes(std::size_t rows, const BytesOfRow& of_row) override;
 
  private:
   JsonWriter& json_;

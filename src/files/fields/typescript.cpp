@@ -21,21 +21,26 @@ std::string type_name(std::string_view definition) {
   return name;
 }
 
+/// Where a reference leads: of "problem.schema.json#/$defs/pose" "pose", of "problem.schema.json" "problem".
+std::string_view target_of(std::string_view reference) {
+  constexpr std::string_view definitions = "#/$defs/";
+  const std::size_t at = reference.find(definitions);
+  return at == std::string_view::npos ? reference.substr(0, reference.find('.'))
+                                      : reference.substr(at + definitions.size());
+}
+
 struct TypeScript {
   const Json& definitions;
 
-  [[nodiscard]] const Json& definition(const Json& schema) const {
-    return definitions.at(schema.at("$ref").get_ref<const std::string&>().substr(std::string("#/$defs/").size()));
-  }
   /// What has no members is told where it stands.
   [[nodiscard]] static bool has_name(const Json& schema) {
-    return schema.contains("properties") || schema.contains("oneOf");
+    return schema.contains("properties") || schema.contains("oneOf") || schema.contains("enum");
   }
 
-  [[nodiscard]] std::string reference(const Json& schema) const {
-    const Json& target = definition(schema);
-    if (!has_name(target)) return type(target);
-    return type_name(schema.at("$ref").get_ref<const std::string&>().substr(std::string("#/$defs/").size()));
+  [[nodiscard]] std::string reference(const std::string& to) const {
+    const std::string name(target_of(to));
+    if (!to.starts_with('#') || has_name(definitions.at(name))) return type_name(name);
+    return type(definitions.at(name));
   }
 
   [[nodiscard]] std::string any(const Json& schemas) const {
@@ -70,13 +75,15 @@ struct TypeScript {
 
   [[nodiscard]] std::string object(const Json& schema) const {
     const bool has_members = schema.contains("properties");
+    if (schema.contains("propertyNames"))
+      return fmt::format("Readonly<Record<string, {}>>", type(schema.at("additionalProperties")));
     if (!schema.contains("oneOf")) return has_members ? members(schema) : "object";
     const std::string alternatives = any(schema.at("oneOf"));
     return has_members ? fmt::format("{} & ({})", members(schema), alternatives) : alternatives;
   }
 
   [[nodiscard]] std::string type(const Json& schema) const {
-    if (schema.contains("$ref")) return reference(schema);
+    if (schema.contains("$ref")) return reference(schema.at("$ref").get_ref<const std::string&>());
     if (schema.contains("const")) return schema.at("const").dump();
     if (schema.contains("enum")) {
       std::string names;
