@@ -1,5 +1,6 @@
 #include "drawing/curve_path.hpp"
-#include "files/instant_writer.hpp"
+#include "files/fields/field_writer.hpp"
+#include "files/instant_fields.hpp"
 #include "linkwright/files/linkage_file.hpp"
 #include "linkwright/infinitesimal/stationary_curvature.hpp"
 #include "replies.hpp"
@@ -36,7 +37,7 @@ std::string instant_reply(std::string_view text) {
   return json_text_of([&](JsonWriter& json) {
     json.begin_object();
     json.key("instant");
-    write_instant(json, analysis);
+    write_fields(json, analysis);
     if (analysis.instant) {
       const PlaneWindow window = around(bars);
       write_curve(json, "circling_points", circling_point_curve(*analysis.instant), window);

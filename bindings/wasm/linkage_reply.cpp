@@ -1,8 +1,9 @@
 #include <array>
 
-#include "files/four_bar/four_bar_writer.hpp"
-#include "files/problem_writer.hpp"
-#include "files/spherical/spherical_writer.hpp"
+#include "files/fields/field_writer.hpp"
+#include "files/four_bar/four_bar_record.hpp"
+#include "files/linkage_fields.hpp"
+#include "files/spherical/spherical_record.hpp"
 #include "linkwright/core/angle.hpp"
 #include "planar/function_family.hpp"
 #include "replies.hpp"
@@ -24,18 +25,16 @@ void write_links(JsonWriter& json, const FourBarAnswer& known, MapPoint place) {
   const DyadPair links = known.family()->dyad_pair(place).value_or(none);
   for (const auto& [key, link] : {std::pair("input", links.input), std::pair("output", links.output)}) {
     json.key(key);
-    json.begin_object();
-    write_dyad_members(json, frame.to_user(link), 0, frame);
-    json.end_object();
+    write_fields(json, DyadRecord{frame.to_user(link), 0, frame});
   }
 }
 void write_links(JsonWriter& json, const SphericalAnswer& known, MapPoint place) {
   const SphericalDyadPair none{no_spherical_dyad(place.input), no_spherical_dyad(place.output)};
   const SphericalDyadPair links = known.family()->dyad_pair(place).value_or(none);
   json.key("input");
-  write_spherical_dyad(json, links.input, 0);
+  write_fields(json, SphericalDyadRecord{links.input, 0});
   json.key("output");
-  write_spherical_dyad(json, links.output, 0);
+  write_fields(json, SphericalDyadRecord{links.output, 0});
 }
 void write_links(JsonWriter& /*json*/, const Findings& /*known*/, MapPoint /*place*/) {}
 
@@ -78,7 +77,7 @@ void write_driver(JsonWriter& json, std::string_view key, const DefectReport& re
   json.begin_object(Layout::one_line);
   json.member("type", name(report.type));
   json.key("defects");
-  write_defects(json, report.defects);
+  write_fields(json, report.defects);
   const bool clean = report.defects.none();
   const auto write_angle = [&](const char* of, bool defined, double angle) {
     json.key(of);

@@ -3,9 +3,10 @@
 #include <nlohmann/json.hpp>
 #include <span>
 
-#include "files/four_bar/four_bar_writer.hpp"
-#include "files/six_bar/six_bar_writer.hpp"
-#include "files/spherical/spherical_writer.hpp"
+#include "files/fields/field_writer.hpp"
+#include "files/four_bar/four_bar_record.hpp"
+#include "files/six_bar/six_bar_record.hpp"
+#include "files/spherical/spherical_record.hpp"
 #include "linkwright/files/csv_table.hpp"
 #include "linkwright/spherical/spherical_analysis.hpp"
 #include "linkwright/spherical/spherical_defects.hpp"
@@ -77,7 +78,9 @@ LinkageReply reply_of(const StoredLinkage& linkage) {
     for (DefectReport* report : {&shown.report, &shown.swapped})
       count_whole_travel(*report, visits.travel.from, visits.travel.to, report->min_transmission_angle_full_turn);
   const PickedLinkage there = picked(travel_of(visits, poses), defect_notice(shown.report.defects, visits));
-  const std::string record = json_text_of([&](JsonWriter& json) { write_four_bar(json, shown, {}, {}); });
+  const std::string record = json_text_of([&](JsonWriter& json) {
+    write_fields(json, FourBarRecord{shown, WorkingFrame(), {}});
+  });
   return linkage_reply(there, record,
                        [&](JsonWriter& json) { write_rates(json, bodies_of_four_bars, there.travel, coupler); });
 }
@@ -113,7 +116,7 @@ LinkageReply reply_of(const StoredSixBar& linkage) {
   shown.lengths = linkage.six_bar.lengths();
   shown.rating = {shape_of(linkage.six_bar), report_of(linkage.six_bar, poses, motion, travel)};
   const PickedLinkage there = picked(std::move(travel), six_bar_defect(shown.rating.drive));
-  const std::string record = json_text_of([&](JsonWriter& json) { write_six_bar(json, shown); });
+  const std::string record = json_text_of([&](JsonWriter& json) { write_fields(json, SixBarRecord{shown}); });
   return linkage_reply(there, record, [&](JsonWriter& json) {
     write_of_linkage(json, linkage.six_bar);
     write_rates(json, bodies_of_six_bars, there.travel, SixBar::guided);
@@ -139,7 +142,7 @@ LinkageReply reply_of(const StoredSphericalFourBar& linkage) {
       count_whole_travel(*report, analysis.input_range.from, analysis.input_range.to,
                          report->min_transmission_angle_full_turn);
   const PickedLinkage there = picked(travel_of(analysis, orientations.size()), spherical_defect(shown.report));
-  const std::string record = json_text_of([&](JsonWriter& json) { write_spherical_four_bar(json, shown, {}); });
+  const std::string record = json_text_of([&](JsonWriter& json) { write_fields(json, SphericalRecord{shown, {}}); });
   return linkage_reply(there, record, [&](JsonWriter& json) {
     write_of_linkage(json, shown.angles);
     write_rates(json, bodies_of_four_bars, there.travel, coupler);

@@ -1,7 +1,9 @@
 #include <array>
 
+#include "files/fields/field_writer.hpp"
+#include "files/fields/result_forms.hpp"
 #include "files/problem_writer.hpp"
-#include "files/result_writer.hpp"
+#include "files/result_fields.hpp"
 #include "linkwright/core/angle.hpp"
 #include "replies.hpp"
 #include "reply_json.hpp"
@@ -31,7 +33,7 @@ void write_axis(JsonWriter& json, const ShownAxis& axis) {
   json.member("quantity", name(axis.axis.quantity));
   json.member("order", axis.order.code());
   json.key("branches");
-  write_branches(json, axis.axis.branches);
+  write_fields(json, axis.axis.branches, forms::branches);
   json.key("ticks");
   axis.ticks.empty() ? json.null() : write_rows(json, axis.ticks);
   json.key("blocks");
@@ -145,7 +147,9 @@ void write_by_requirement(JsonWriter& json, std::string_view key, RequirementKin
 void write_relaxation(JsonWriter& json, const Relaxation& relaxation) {
   json.begin_object(Layout::one_line);
   json.member("requirement", key(relaxation.requirement));
-  write_relaxed_value(json, relaxation);
+  json.key("value");
+  FieldWriter value(json);
+  visit_relaxed_value(value, relaxation);
   json.member("leaves", relaxation.leaves);
   json.end_object();
 }
@@ -221,7 +225,7 @@ std::string census_reply(const ColouredMap& map) {
     write_by_requirement(json, "left", met.kinds, [&](RequirementKind kind) { return met.left_after(kind); });
     write_list(json, "relax", map.relax, write_relaxation);
     json.key("relax_together");
-    map.relax_together ? write_joint_relaxation(json, *map.relax_together) : json.null();
+    map.relax_together ? write_fields(json, *map.relax_together) : json.null();
     write_list(json, "missed_boxes", map.missed_boxes, write_missed_box);
     json.key("inside");
     json.begin_object(Layout::one_line);

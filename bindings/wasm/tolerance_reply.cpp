@@ -2,7 +2,8 @@
 #include <cmath>
 #include <cstdint>
 
-#include "files/tolerance_writer.hpp"
+#include "files/fields/field_writer.hpp"
+#include "files/tolerance_report.hpp"
 #include "linkwright/core/angle.hpp"
 #include "linkwright/robust/tolerance_report.hpp"
 #include "replies.hpp"
@@ -89,7 +90,7 @@ ToleranceReply tolerance_reply(const LinkageOutput& output, const Tolerances& to
   reply.report = json_text_of([&](JsonWriter& json) {
     json.begin_object();
     json.key("tolerance");
-    write_tolerance_report(json, *report, tolerances);
+    write_fields(json, ToleranceRecord{*report, tolerances.seed});
     write_histograms(json, output, tolerances, bins);
     json.member("positions", static_cast<std::int64_t>(positions_of(drawn_positions(output))));
     json.end_object();
@@ -103,7 +104,7 @@ std::string tolerance_at_a_glance(const LinkageOutput& output, const Tolerances&
   few.samples = std::min(tolerances.samples, samples_at_a_glance);
   const auto report = tolerance_report(output, few);
   if (!report) return "";
-  return json_text_of([&](JsonWriter& json) { write_tolerance_report(json, *report, few); });
+  return json_text_of([&](JsonWriter& json) { write_fields(json, ToleranceRecord{*report, few.seed}); });
 }
 
 }  // namespace linkwright::wasm

@@ -1,8 +1,9 @@
 #include <fmt/format.h>
 #include <functional>
 
-#include "files/json/json_writer.hpp"
-#include "instant_writer.hpp"
+#include "files/fields/field_writer.hpp"
+#include "files/instant_fields.hpp"
+#include "files/linkage_fields.hpp"
 #include "linkwright/core/angle.hpp"
 #include "linkwright/files/analysis_file.hpp"
 #include "linkwright/files/csv_table.hpp"
@@ -77,7 +78,7 @@ void write_instant_members(JsonWriter& json, const LinkageInstant& instant) {
   write_pivots(json, instant.four_bar);
   json.end_object();
   json.key("instant");
-  write_instant(json, instant.analysis);
+  write_fields(json, instant.analysis);
 }
 
 void write_members(JsonWriter& json, const LinkageAnalysis& analysis) {
@@ -87,7 +88,7 @@ void write_members(JsonWriter& json, const LinkageAnalysis& analysis) {
   json.key("pivots");
   write_pivots(json, analysis.linkage.four_bar);
   json.key("lengths");
-  write_lengths(json, analysis.lengths);
+  write_fields(json, analysis.lengths);
   json.member("type", name(analysis.type));
   json.key("change_point");
   analysis.change_point == ChangePointKind::none ? json.null() : json.value(name(analysis.change_point));

@@ -1,8 +1,10 @@
 #include <functional>
 
 #include "files/fields/field_writer.hpp"
+#include "files/fields/result_forms.hpp"
 #include "files/json/json_writer.hpp"
-#include "files/six_bar/six_bar_writer.hpp"
+#include "files/linkage_fields.hpp"
+#include "files/six_bar/six_bar_record.hpp"
 #include "linkwright/files/linkage_file.hpp"
 #include "linkwright/files/problem_file.hpp"
 #include "linkwright/files/six_bar_file.hpp"
@@ -23,7 +25,7 @@ std::string written(const Stored& linkage, const std::function<void(JsonWriter&)
     json.member("title", std::string_view(linkage.title));
     json.member("length_unit", std::string_view(linkage.length_unit));
     json.key("poses");
-    write_fields(json, linkage.poses, on_lines);
+    write_fields(json, linkage.poses, forms::on_lines);
     json.key("linkage");
     linkage.record.empty() ? without_record(json) : json.json(linkage.record);
     json.end_object();
@@ -37,7 +39,7 @@ std::string write_linkage(const StoredLinkage& linkage) {
   return written(linkage, [&linkage](JsonWriter& json) {
     json.begin_object();
     json.key("pivots");
-    linkage.point ? write_pivots(json, TracingFourBar{linkage.four_bar, *linkage.point})
+    linkage.point ? write_fields(json, TracingFourBar{linkage.four_bar, *linkage.point})
                   : write_pivots(json, linkage.four_bar);
     json.end_object();
   });
@@ -47,7 +49,8 @@ std::string write_linkage(const StoredSixBar& linkage) {
   return written(linkage, [&linkage](JsonWriter& json) {
     json.begin_object();
     json.member("mechanism", "six_bar");
-    write_make_up(json, linkage.six_bar, linkage.assembly_mode, {});
+    FieldWriter writer(json);
+    make_up_fields(writer, linkage.six_bar, linkage.assembly_mode, {});
     json.end_object();
   });
 }

@@ -1,9 +1,6 @@
 #pragma once
 
-#include <string_view>
-
 #include "files/json/json_writer.hpp"
-#include "linkwright/analysis/defects.hpp"
 #include "linkwright/mechanism/four_bar.hpp"
 #include "linkwright/region/linkage_class.hpp"
 
@@ -17,16 +14,7 @@ void write_point(JsonWriter& json, Point point);
 /// `[low, high]`, on one line.
 void write_interval(JsonWriter& json, double low, double high);
 
-/// `{"ground": …, "input": …, "coupler": …, "output": …}`.
-void write_lengths(JsonWriter& json, const LinkLengths& lengths);
-
-/// `{"order": …, "branch": …, "circuit": …}`.
-void write_defects(JsonWriter& json, Defects defects);
-
 /// `{"input_center": [x, y], "input_circle": …, "output_center": …, "output_circle": …}`.
 void write_pivots(JsonWriter& json, const FourBar& four_bar);
-/// The same with the point of the coupler: `{"input_fixed": …, "input_moving": …, "output_moving": …, "output_fixed":
-/// …, "point": …}`.
-void write_pivots(JsonWriter& json, const TracingFourBar& linkage);
 
 }  // namespace linkwright

@@ -3,36 +3,26 @@
 #include <algorithm>
 #include <cstring>
 
-#include "files/json/base64.hpp"
 #include "linkwright/planar/four_bar_map.hpp"
 #include "linkwright/region/measure.hpp"
 
 namespace linkwright {
 namespace {
 
-void write_bytes(JsonWriter& json, std::string_view key, const RegionMap& region, std::span<const std::uint8_t> cells) {
-  json.key(key);
-  json.begin_text();
-  Base64Encoder encoder;
-  std::string text;
-  for (std::size_t row = 0; row < region.rows(); ++row) {
-    text.clear();
-    encoder.encode(cells.subspan(row * region.columns(), region.columns()), text);
-    json.text_piece(text);
-  }
-  text.clear();
-  encoder.finish(text);
-  json.text_piece(text);
-  json.end_text();
+using Bytes = std::vector<std::uint8_t>;
+
+void cells_field(FieldVisitor& v, const Field& field, const RegionMap& region, std::span<const std::uint8_t> cells) {
+  const auto of_row = [&](std::size_t row) { return cells.subspan(row * region.columns(), region.columns()); };
+  v.member(field, false, [&](FieldVisitor& to) { to.bytes(region.rows(), of_row); });
 }
 
 // A code, though the map keeps it among its measures.
-void write_valid(JsonWriter& json, const RegionMap& region) {
+void valid_field(FieldVisitor& v, const RegionMap& region, bool is_written) {
   const std::span<const float> held = region.values(measures::valid);
-  if (held.empty()) return;
-  std::vector<std::uint8_t> codes(held.size());
+  Bytes codes(held.size());
   std::transform(held.begin(), held.end(), codes.begin(), [](float code) { return static_cast<std::uint8_t>(code); });
-  write_bytes(json, "valid", region, codes);
+  const Field field("valid", "Of straight lines, u8: 0 none, 1 a four-bar, 2 a slider.");
+  cells_field(v, field.written(is_written && !held.empty()), region, codes);
 }
 
 void put_little_endian(float number, std::uint8_t* bytes) {
@@ -41,41 +31,40 @@ void put_little_endian(float number, std::uint8_t* bytes) {
   for (int i = 0; i < 4; ++i) bytes[i] = static_cast<std::uint8_t>(bits >> 8 * i);
 }
 
-void write_property(JsonWriter& json, const RegionMap& region, const Measure& measure) {
-  json.key(measure.key);
-  json.begin_text();
-  Base64Encoder encoder;
-  std::string text;
+void visit_property(FieldVisitor& v, const RegionMap& region, const Measure& measure) {
   std::vector<float> values(region.columns());
-  std::vector<std::uint8_t> bytes(4 * region.columns());
-  for (std::size_t row = 0; row < region.rows(); ++row) {
+  Bytes bytes(4 * region.columns());
+  v.bytes(region.rows(), [&](std::size_t row) {
     row_values(region, measure, row, values);
-    for (std::size_t column = 0; column < region.columns(); ++column)
+    for (std::size_t column = 0; column < values.size(); ++column)
       put_little_endian(values[column], &bytes[4 * column]);
-    text.clear();
-    encoder.encode(bytes, text);
-    json.text_piece(text);
+    return std::span<const std::uint8_t>(bytes);
+  });
+}
+
+void visit_properties(FieldVisitor& v, const RegionMap& region) {
+  std::vector<Measure> told;
+  std::vector<std::string> keys;
+  for (const Measure& measure : region.reported_measures()) {
+    if (measure == measures::valid) continue;
+    told.push_back(measure);
+    keys.emplace_back(measure.key);
   }
-  text.clear();
-  encoder.finish(text);
-  json.text_piece(text);
-  json.end_text();
+  v.keyed({.pattern = "^[a-z_0-9]+$", .on_lines = true}, keys,
+          [&](FieldVisitor& to, std::size_t i) { visit_property(to, region, told[i]); });
 }
 
 }  // namespace
 
-void write_region_arrays(JsonWriter& json, const RegionMap& region) {
-  write_bytes(json, "type", region, region.types());
-  write_bytes(json, "defects", region, region.defects());
-  write_valid(json, region);
-  json.key("properties");
-  json.begin_object();
+void region_array_fields(FieldVisitor& v, const RegionMap& region, bool are_written) {
+  cells_field(v, Field("type", "u8 by type, row-major [input][output].").written(are_written), region, region.types());
+  cells_field(v, Field("defects", "u8: 1 order, 2 branch, 4 circuit.").written(are_written), region, region.defects());
+  valid_field(v, region, are_written);
   RegionMap empty;  // of a task without a map, whose columns are there all the same
   if (region.measures().empty()) empty.lay({}, {}, planar_measures, false, {});
   const RegionMap& shown = region.measures().empty() ? empty : region;
-  for (const Measure& measure : shown.reported_measures())
-    if (!(measure == measures::valid)) write_property(json, shown, measure);
-  json.end_object();
+  v.member(Field("properties", "Little-endian f32; 0 where not defined.").written(are_written), false,
+           [&](FieldVisitor& to) { visit_properties(to, shown); });
 }
 
 }  // namespace linkwright

@@ -1,12 +1,12 @@
 #pragma once
 
-#include "files/json/json_writer.hpp"
+#include "fields/field_visitor.hpp"
 #include "linkwright/region/region_map.hpp"
 
 namespace linkwright {
 
-/// The members `type`, `defects` and `properties` of a result's region: base64 of u8 and of little-endian f32,
-/// row-major [input][output], encoded row by row.
-void write_region_arrays(JsonWriter& json, const RegionMap& region);
+/// The members `type`, `defects`, `valid` and `properties` of a result's region: u8 and little-endian f32, row-major
+/// [input][output], encoded row by row.
+void region_array_fields(FieldVisitor& v, const RegionMap& region, bool are_written);
 
 }  // namespace linkwright

@@ -3,7 +3,7 @@
 #include <charconv>
 #include <string>
 
-#include "files/json/json_writer.hpp"
+#include "files/fields/field_writer.hpp"
 #include "files/kinds.hpp"
 
 namespace linkwright {
@@ -13,25 +13,19 @@ namespace {
 // What is long to write and no column tells.
 template <class KindAnswer>
 void drop_the_rest(KindAnswer& answer) {
-  if constexpr (requires { answer.pairs; }) {
-    answer.pairs.clear();
+  if constexpr (requires { answer.pairs; })
     for (auto& linkage : answer.linkages)
       if (linkage.function) linkage.function->samples.clear();
-  }
-  if constexpr (requires { answer.relaxed; }) answer.relaxed.clear();
 }
 
 }  // namespace
 
 nlohmann::json linkage_records(Answer answer) {
   std::visit([](auto& of_kind) { drop_the_rest(of_kind); }, answer);
-  const std::string text = json_text_of([&](JsonWriter& json) {
-    json.begin_object(JsonWriter::Layout::one_line);
-    std::visit([&](const auto& of_kind) { write_linkages(json, of_kind); }, answer);
-    json.end_object();
-  });
-  nlohmann::json members = nlohmann::json::parse(text);
-  return std::move(members["linkages"]);
+  return nlohmann::json::parse(json_text_of([&](JsonWriter& json) {
+    FieldWriter to(json);
+    std::visit([&](const auto& of_kind) { visit_linkages(to, of_kind); }, answer);
+  }));
 }
 
 const nlohmann::json* member_at(const nlohmann::json& record, std::string_view name) {

@@ -36,8 +36,6 @@ class FieldWriter final : public FieldVisitor {
   JsonWriter& json_;
 };
 
-inline constexpr List on_lines = {.what = "", .on_lines = true};
-
 /// The struct as a value. `form`: as of visit().
 template <class Struct, class... Form>
 void write_fields(JsonWriter& json, Struct value, const Form&... form) {

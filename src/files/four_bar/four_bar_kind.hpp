@@ -2,8 +2,8 @@
 
 #include <string>
 
+#include "fields/field_visitor.hpp"
 #include "files/axis_label.hpp"
-#include "files/json/json_writer.hpp"
 #include "linkwright/files/linkage_file.hpp"
 #include "linkwright/synthesis/answer.hpp"
 
@@ -21,12 +21,15 @@ namespace linkwright {
 
 /// A result has a map.
 [[nodiscard]] inline bool is_mapped(const FourBarAnswer& /*answer*/) { return true; }
-/// The members `curve` and `dyads` of a result.
-void write_dyads(JsonWriter& json, const MotionAnswer& answer);
-void write_dyads(JsonWriter& json, const FunctionAnswer& answer);
-/// The members `linkages`, `pairs` and `freed` of a result.
-void write_linkages(JsonWriter& json, const MotionAnswer& answer);
-void write_linkages(JsonWriter& json, const FunctionAnswer& answer);
+/// The grounded links form a curve, even where it has grown to everything.
+[[nodiscard]] bool is_curve_expected(const MotionTask& task);
+[[nodiscard]] bool is_curve_expected(const FunctionTask& task);
+/// What stands in these members of a result.
+void visit_curve(FieldVisitor& v, const FourBarAnswer& answer);
+void visit_dyads(FieldVisitor& v, const FourBarAnswer& answer);
+void visit_linkages(FieldVisitor& v, const FourBarAnswer& answer);
+void visit_pairs(FieldVisitor& v, const FourBarAnswer& answer);
+void visit_freed(FieldVisitor& v, const MotionAnswer& answer);
 
 /// A linkage of an answer without title and unit.
 [[nodiscard]] StoredLinkage stored(const FourBarSolution& found, const MotionAnswer& answer);

@@ -2,14 +2,14 @@
 #include <cmath>
 #include <functional>
 
-#include "files/json/json_writer.hpp"
+#include "files/fields/field_writer.hpp"
 #include "files/position_error_writer.hpp"
 #include "files/problem_writer.hpp"
 #include "files/six_bar/six_bar_kind.hpp"
 #include "linkwright/core/angle.hpp"
 #include "linkwright/files/problem_file.hpp"
 #include "linkwright/files/six_bar_file.hpp"
-#include "six_bar_writer.hpp"
+#include "six_bar_record.hpp"
 
 namespace linkwright {
 namespace {
@@ -66,9 +66,9 @@ std::string write_analysis(const StoredSixBarAnalysis& analysis) {
     json.member("title", std::string_view(linkage.title));
     json.member("length_unit", std::string_view(linkage.length_unit));
     json.member("mechanism", "six_bar");
-    write_make_up(json, linkage.six_bar, linkage.assembly_mode, {});
-    json.key("lengths");
-    write_lengths(json, analysis.lengths);
+    FieldWriter writer(json);
+    make_up_fields(writer, linkage.six_bar, linkage.assembly_mode, {});
+    lengths_field(writer, analysis.lengths);
     json.member("link_ratio", analysis.shape.link_ratio);
     json.member("type", name(analysis.shape.type));
     json.member("driver_is_crank", analysis.motion.full_turn);

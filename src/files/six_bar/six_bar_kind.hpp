@@ -2,8 +2,8 @@
 
 #include <string>
 
+#include "fields/field_visitor.hpp"
 #include "files/axis_label.hpp"
-#include "files/json/json_writer.hpp"
 #include "linkwright/files/six_bar_file.hpp"
 #include "linkwright/synthesis/answer.hpp"
 
@@ -18,10 +18,9 @@ namespace linkwright {
 
 /// A result has a map: of a given chain.
 [[nodiscard]] inline bool is_mapped(const SixBarAnswer& answer) { return !answer.search; }
-/// The members `curve` and `dyads` of a result: six-bars have none of their own.
-void write_dyads(JsonWriter& json, const SixBarAnswer& answer);
-/// The members `search`, `linkages`, `pairs` and `freed` of a result.
-void write_linkages(JsonWriter& json, const SixBarAnswer& answer);
+/// What stands in these members of a result.
+void visit_search(FieldVisitor& v, const SixBarAnswer& answer);
+void visit_linkages(FieldVisitor& v, const SixBarAnswer& answer);
 
 /// A linkage of an answer without title and unit.
 [[nodiscard]] StoredSixBar stored(const SixBarSolution& found, const SixBarAnswer& answer);

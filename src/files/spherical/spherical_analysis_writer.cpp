@@ -2,11 +2,12 @@
 
 #include "files/attitude/space_writer.hpp"
 #include "files/fields/field_writer.hpp"
+#include "files/fields/result_forms.hpp"
 #include "files/json/json_writer.hpp"
 #include "files/position_error_writer.hpp"
 #include "files/problem_fields.hpp"
 #include "files/problem_writer.hpp"
-#include "files/spherical/spherical_writer.hpp"
+#include "files/spherical/spherical_record.hpp"
 #include "linkwright/core/angle.hpp"
 #include "linkwright/files/problem_file.hpp"
 #include "linkwright/files/spherical_file.hpp"
@@ -57,7 +58,7 @@ std::string write_linkage(const StoredSphericalFourBar& linkage) {
     json.member("linkwright", file_version);
     json.member("title", std::string_view(linkage.title));
     json.key("orientations");
-    write_fields(json, linkage.orientations, on_lines);
+    write_fields(json, linkage.orientations, forms::on_lines);
     json.key("linkage");
     if (!linkage.record.empty()) {
       json.json(linkage.record);
@@ -78,7 +79,8 @@ std::string write_analysis(const StoredSphericalAnalysis& analysis) {
     json.member("title", std::string_view(analysis.linkage.title));
     json.member("mechanism", "spherical_four_bar");
     write_four_axes(json, analysis.linkage.four_bar);
-    write_angles(json, "angles_deg", analysis.angles);
+    json.key("angles_deg");
+    write_fields(json, analysis.angles);
     json.member("type", name(analysis.type));
     json.key("triple_rocker");
     analysis.triple_rocker == TripleRockerKind::none ? json.null() : json.value(name(analysis.triple_rocker));

@@ -2,8 +2,8 @@
 
 #include <string>
 
+#include "fields/field_visitor.hpp"
 #include "files/axis_label.hpp"
-#include "files/json/json_writer.hpp"
 #include "linkwright/files/spherical_file.hpp"
 #include "linkwright/synthesis/answer.hpp"
 
@@ -21,11 +21,12 @@ namespace linkwright {
 
 /// A result has a map.
 [[nodiscard]] inline bool is_mapped(const SphericalAnswer& /*answer*/) { return true; }
-/// The members `curve` and `dyads` of a result.
-void write_dyads(JsonWriter& json, const SphericalAnswer& answer);
-/// The members `linkages`, `pairs` and `freed` of a result.
-void write_linkages(JsonWriter& json, const SphericalMotionAnswer& answer);
-void write_linkages(JsonWriter& json, const SphericalFunctionAnswer& answer);
+/// What stands in these members of a result.
+void visit_curve(FieldVisitor& v, const SphericalAnswer& answer);
+void visit_dyads(FieldVisitor& v, const SphericalAnswer& answer);
+void visit_linkages(FieldVisitor& v, const SphericalAnswer& answer);
+void visit_pairs(FieldVisitor& v, const SphericalAnswer& answer);
+void visit_freed(FieldVisitor& v, const SphericalMotionAnswer& answer);
 
 /// A linkage of an answer without title and unit.
 [[nodiscard]] StoredSphericalFourBar stored(const SphericalSolution& found, const SphericalMotionAnswer& answer);

@@ -2,8 +2,8 @@
 
 #include <string>
 
+#include "fields/field_visitor.hpp"
 #include "files/axis_label.hpp"
-#include "files/json/json_writer.hpp"
 #include "linkwright/files/linkage_file.hpp"
 #include "linkwright/synthesis/answer.hpp"
 
@@ -18,17 +18,9 @@ namespace linkwright {
 
 /// A result has a map: some number is left open.
 [[nodiscard]] bool is_mapped(const StraightLineAnswer& answer);
-/// The members `curve` and `dyads` of a result, both empty: linkages of a straight line are found whole.
-void write_dyads(JsonWriter& json, const StraightLineAnswer& answer);
-/// The members `linkages`, `pairs` and `freed` of a result.
-void write_linkages(JsonWriter& json, const StraightLineAnswer& answer);
+/// What stands in this member of a result.
+void visit_linkages(FieldVisitor& v, const StraightLineAnswer& answer);
 
-/// How straight the point of a linkage runs, as members of it: `contact_points` and `deviation_series`; and the lengths
-/// that are usable, with what is to be said over them and over the stroke asked for.
-void write_contact(JsonWriter& json, const LineContact& contact);
-void write_usable_lengths(JsonWriter& json, const StraightLineSolution& found, LineMeasure measure);
-/// The member `cognates` of a linkage: the others whose point traces the same curve.
-void write_cognates(JsonWriter& json, const StraightLineSolution& found);
 /// A linkage of an answer without title and unit; its poses are those of the coupler at the ends of the usable length
 /// and where the point is on the line.
 [[nodiscard]] StoredLinkage stored(const StraightLineSolution& found, const StraightLineAnswer& answer);

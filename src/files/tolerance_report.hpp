@@ -1,16 +1,21 @@
 #pragma once
 
+#include <cstdint>
 #include <vector>
 
-#include "files/json/json_writer.hpp"
+#include "fields/field_visitor.hpp"
 #include "linkwright/region/criterion.hpp"
 #include "linkwright/robust/tolerance_report.hpp"
 #include "linkwright/synthesis/answer.hpp"
 
 namespace linkwright {
 
-/// `"tolerance"` of a linkage: what tolerances do to it.
-void write_tolerance_report(JsonWriter& json, const ToleranceReport& report, const Tolerances& tolerances);
+/// `tolerance` of a linkage: what tolerances do to it. The seed is that of the samples.
+struct ToleranceRecord {
+  const ToleranceReport& report;
+  std::uint64_t seed;
+};
+void fields(FieldVisitor& v, const ToleranceRecord& tolerance);
 
 /// What a list says of a linkage beside the linkage: at a picked place what it fails, with tolerances what they do.
 class ListedNotes {
@@ -20,12 +25,13 @@ class ListedNotes {
   /// Of the linkage number `place` of an answer. Refers to the findings.
   ListedNotes(const Findings& found, std::size_t place);
 
-  void write(JsonWriter& json) const;
+  /// The members `meets_requirements`, `fails` and `tolerance`.
+  void visit(FieldVisitor& v) const;
 
  private:
   const std::vector<RequirementKind>* fails_ = nullptr;
   const std::optional<ToleranceReport>* tolerance_ = nullptr;
-  const Tolerances* tolerances_ = nullptr;
+  std::uint64_t seed_ = 0;
 };
 
 }  // namespace linkwright

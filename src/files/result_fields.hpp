@@ -1,0 +1,27 @@
+#pragma once
+
+#include <vector>
+
+#include "fields/field_visitor.hpp"
+#include "linkwright/synthesis/answer.hpp"
+#include "linkwright/synthesis/solve.hpp"
+
+// What result files say, struct by struct; only written: see fields/field_visitor.hpp.
+namespace linkwright {
+
+struct ResultRecord {
+  const Problem& problem;
+  const Answer& answer;
+  bool with_region = true;  ///< with the arrays of the map
+};
+void fields(FieldVisitor& v, const ResultRecord& result);
+
+void fields(FieldVisitor& v, const Notice& notice);
+void fields(FieldVisitor& v, const CurveBranch& branch);
+void fields(FieldVisitor& v, const JointRelaxation& joint);
+/// As a problem file wants it: a number, a box or null.
+void visit_relaxed_value(FieldVisitor& v, const Relaxation& relaxation);
+/// Keys of requirements.
+void visit_requirements(FieldVisitor& v, const List& list, const std::vector<RequirementKind>& kinds);
+
+}  // namespace linkwright
