@@ -7,6 +7,7 @@
 #include "field_writer.hpp"
 #include "files/json/json_writer.hpp"
 #include "files/problem_fields.hpp"
+#include "files/result_fields.hpp"
 
 namespace linkwright {
 namespace {
@@ -249,6 +250,12 @@ Json problem_schema(const Json& rules) {
   problem.requirements.min_link_angle = default_min_link_angle;
   FieldSchema visitor;
   fields(visitor, problem);
+  return with_rules(visitor, rules);
+}
+
+Json result_schema(const Json& rules) {
+  FieldSchema visitor(FieldSchema::Defaults::left_out);
+  fields(visitor, ResultRecord{Problem(), MotionAnswer()});
   return with_rules(visitor, rules);
 }
 

@@ -59,6 +59,9 @@ class FieldSchema final : public FieldVisitor {
 /// The schema of problem files. `rules`: what holds between fields, as a JSON merge patch, with the schema's own name.
 [[nodiscard]] FieldSchema::Json problem_schema(const FieldSchema::Json& rules = FieldSchema::Json::object());
 
+/// The schema of result files, likewise.
+[[nodiscard]] FieldSchema::Json result_schema(const FieldSchema::Json& rules = FieldSchema::Json::object());
+
 /// As people read it: what fits on a line of 120 characters is on one.
 [[nodiscard]] std::string readable(const FieldSchema::Json& json, std::size_t indent = 0, std::size_t beside = 0);
 

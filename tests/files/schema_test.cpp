@@ -1,0 +1,60 @@
+#include <cstdlib>
+#include <fstream>
+#include <gtest/gtest.h>
+#include <string>
+
+#include "files/fields/field_schema.hpp"
+#include "support/file_support.hpp"
+
+namespace linkwright::schema_test {
+namespace {
+
+using Json = FieldSchema::Json;
+
+const std::string root = std::string(LINKWRIGHT_SCHEMA_DIR) + "/..";
+
+Json rules_of(const std::string& files) {
+  return Json::parse(testing::text_of(root + "/src/files/fields/" + files + "_rules.json"));
+}
+
+/// The file is what was generated; with LINKWRIGHT_GENERATE in the environment it becomes that.
+void expect_generated(const std::string& path, const std::string& text) {
+  if (std::getenv("LINKWRIGHT_GENERATE") != nullptr) std::ofstream(root + path) << text;
+  EXPECT_EQ(testing::text_of(root + path), text) << "run LINKWRIGHT_GENERATE=1 build/release/bin/tests_files";
+}
+
+void expect_all_referred_to(const Json& schema) {
+  const std::string text = schema.dump();
+  for (const auto& [name, definition] : schema.at("$defs").items())
+    EXPECT_NE(text.find("\"#/$defs/" + name + "\""), std::string::npos) << name;
+}
+
+TEST(ProblemSchema, IsWhatTheFieldsSayAndTheRulesBetweenThem) {
+  expect_generated("/schema/problem.schema.json", readable(problem_schema(rules_of("problem"))) + "\n");
+}
+
+TEST(ResultSchema, IsWhatTheFieldsSayAndTheRulesBetweenThem) {
+  expect_generated("/schema/result.schema.json", readable(result_schema(rules_of("result"))) + "\n");
+}
+
+// A rule of a definition that has another name would make one that nothing refers to.
+TEST(ProblemSchema, HasNoDefinitionThatNothingRefersTo) { expect_all_referred_to(problem_schema(rules_of("problem"))); }
+TEST(ResultSchema, HasNoDefinitionThatNothingRefersTo) { expect_all_referred_to(result_schema(rules_of("result"))); }
+
+TEST(ProblemSchema, IsInTheTypesOfThePage) {
+  expect_generated(
+      "/web/src/engine/problem.ts",
+      "// What problem files hold: generated from the fields of the engine (docs/architecture.md), not written.\n" +
+          typescript(problem_schema(), "Problem"));
+}
+
+TEST(ResultSchema, IsInTheTypesOfThePage) {
+  expect_generated(
+      "/web/src/engine/result.ts",
+      "// What result files hold: generated from the fields of the engine (docs/architecture.md), not written.\n"
+      "import type {Box, Chain, Orientation, Pose, Problem, StraightLineTask} from \"./problem\";\n\n" +
+          typescript(result_schema(), "ResultFile"));
+}
+
+}  // namespace
+}  // namespace linkwright::schema_test
