@@ -1,61 +1,33 @@
 // Linkages as the page knows them, of the engine's replies: the object of the result file, and beside it what only the
 // page shows (bindings/wasm/linkage_reply.cpp, best_reply.cpp).
-import type {Defects, GroundedLink, Linkage, LinkageType, Notice, Pivot, Point, Ranked, TauPair} from "./protocol";
+import type {Defects, GroundedLink, Linkage, Notice, Pivot, Point, Ranked, TauPair} from "./protocol";
+import type * as result from "./result";
 
 type Axis = readonly [number, number, number];
 type Driver = Pick<
-  Linkage,
-  "min_transmission_angle_deg" | "min_transmission_angle_full_turn_deg" | "driver_sweep_deg"
-> & {
-  type: LinkageType;
-  defects: Defects;
-  drive: Linkage["drive_sense"];
-};
+  result.FourBar,
+  | "type"
+  | "defects"
+  | "drive"
+  | "driver_sweep_deg"
+  | "min_transmission_angle_deg"
+  | "min_transmission_angle_full_turn_deg"
+>;
+type Member<Kind, Key extends PropertyKey> = Kind extends {[K in Key]?: infer Value} ? Value : never;
+/** What one of the kinds has, whichever it is. */
+type OfAnyKind<Kinds> = {[Key in Kinds extends unknown ? keyof Kinds : never]?: Member<Kinds, Key>};
 /** A grounded link of the plane, or about a centre. */
-interface Dyad {
-  residual: number;
-  center_point?: Point | null;
-  circle_point?: Point | null;
-  center_homogeneous?: Axis;
-  circle_homogeneous?: Axis;
-  fixed_axis?: Axis;
-  moving_axis?: Axis;
-}
-type Stroke = Record<"max_deviation" | "velocity_nonuniformity", number | null>;
+type Dyad = OfAnyKind<result.Dyad | result.SphericalDyad> & {residual: number};
 /** An element of a result's `linkages` of any kind. */
-interface LinkageRecord extends Partial<Driver> {
-  type: LinkageType;
-  residual: number;
-  link_ratio?: number;
-  lengths?: Record<string, number>;
-  swapped?: Linkage["swapped"];
-  input?: Dyad;
-  output?: Dyad;
-  miss?: {distance: number; angle_deg: number};
-  // Of functions.
-  precision_error_deg?: number;
-  errors_at_pairs_deg?: (number | null)[];
-  max_structural_error_deg?: number | null;
-  worst_input_deg?: number;
-  unreached_deg?: [number, number][];
-  error_curve?: Record<"input_deg" | "wanted_output_deg", number[]> & {error_deg: (number | null)[]};
-  // Of six-bars.
-  topology?: unknown;
-  added?: {points: [Point, Point]}[];
-  joints?: Record<string, Point>;
-  // Of spherical four-bars.
-  angles_deg?: Record<string, number>;
-  triple_rocker?: string;
-  // Of straight lines.
-  pivots?: Record<"input_fixed" | "input_moving" | "output_moving" | "output_fixed" | "point", Point>;
-  layer_name?: string;
-  usable?: {length: number};
-  usable_strip?: {length: number};
-  stroke_over_longest?: number;
-  over_usable?: Stroke;
-  stroke?: Stroke | null;
-  task?: unknown;
-}
+type LinkageRecord = Omit<
+  OfAnyKind<result.FourBar | result.SixBar | result.SphericalFourBar | result.StraightLineFourBar>,
+  "type" | "residual" | "input" | "output" | "lengths"
+> &
+  Pick<result.FourBar, "type" | "residual"> & {
+    input?: Dyad;
+    output?: Dyad;
+    lengths?: Readonly<Record<string, number>>;
+  };
 /** What `linkage` replies. */
 export interface LinkageReply {
   tau: TauPair;

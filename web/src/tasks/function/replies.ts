@@ -25,6 +25,6 @@ export interface GeneratedFunction {
   reaches_pairs: boolean;
   max_structural_error_deg: number | null;
   worst_input_deg: number | null;
-  unreached_deg: (readonly [from: number, to: number])[];
+  unreached_deg: readonly (readonly [from: number, to: number])[];
   curve: (readonly [input: number, wanted: number, generated: number | null])[];
 }
