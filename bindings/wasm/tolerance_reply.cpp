@@ -3,7 +3,7 @@
 #include <cstdint>
 
 #include "files/fields/field_writer.hpp"
-#include "files/tolerance_report.hpp"
+#include "files/tolerance_record.hpp"
 #include "linkwright/core/angle.hpp"
 #include "linkwright/robust/tolerance_report.hpp"
 #include "replies.hpp"

@@ -303,12 +303,18 @@ void visit(FieldVisitor& v, std::array<Element, count>& values, const List& list
   v.list(list, count, [&](FieldVisitor& to, std::size_t i) { visit(to, i < count ? values[i] : more, form...); });
 }
 
-/// What is only written, by `element`; those who describe see one made by default.
+/// What is only written, by `element`, with its index where that is asked for; those who describe see one made by
+/// default.
 template <class Source, class Element>
 void visit_each(FieldVisitor& v, const List& list, const std::vector<Source>& sources, const Element& element) {
   const Source none{};
-  v.list(list, sources.size(),
-         [&](FieldVisitor& to, std::size_t i) { element(to, i < sources.size() ? sources[i] : none); });
+  v.list(list, sources.size(), [&](FieldVisitor& to, std::size_t i) {
+    const Source& source = i < sources.size() ? sources[i] : none;
+    if constexpr (std::is_invocable_v<Element, FieldVisitor&, const Source&, std::size_t>)
+      element(to, source, i);
+    else
+      element(to, source);
+  });
 }
 template <class Source, class Element>
 void visit_or_null(FieldVisitor& v, const std::optional<Source>& source, const Element& element) {

@@ -202,16 +202,16 @@ Result<PrescribedInstant> prescribed_instant(const Problem& problem, std::option
   return PrescribedInstant{pose, analyze_instant(pose, point), problem.title, problem.length_unit};
 }
 
-std::string write_instant(const PrescribedInstant& prescribed) {
+std::string write_instant(const PrescribedInstant& instant) {
   return json_text_of([&](JsonWriter& json) {
     json.begin_object();
     json.member("linkwright", file_version);
-    json.member("title", std::string_view(prescribed.title));
-    json.member("length_unit", std::string_view(prescribed.length_unit));
+    json.member("title", std::string_view(instant.title));
+    json.member("length_unit", std::string_view(instant.length_unit));
     json.key("pose");
-    write_fields(json, prescribed.pose);
+    write_fields(json, instant.pose);
     json.key("instant");
-    write_fields(json, prescribed.analysis);
+    write_fields(json, instant.analysis);
     json.end_object();
   });
 }

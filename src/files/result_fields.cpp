@@ -31,15 +31,20 @@ const Kind* held(const Answer& answer) {
 
 /// By `value`, what stands in a member of answers of these kinds; of others, what stands there in an empty one.
 template <class... Kinds, class Value>
-void visit_by_kind(FieldVisitor& v, const Answer& answer, JsonType type, const Value& value) {
+void visit_by_kind(FieldVisitor& v, const Answer& answer, const Value& value) {
   const auto of_kind = [&]<class Kind>(FieldVisitor& to, const Kind* of) {
     const Kind none{};
     value(to, of ? *of : none);
   };
-  const std::array shapes = {Shape{type, [&](FieldVisitor& to) { of_kind(to, held<Kinds>(answer)); }}...};
+  constexpr auto any = JsonType::object;  // of no account to those who write and describe
+  const std::array shapes = {Shape{any, [&](FieldVisitor& to) { of_kind(to, held<Kinds>(answer)); }}...};
   const std::array is_held = {held<Kinds>(answer) != nullptr...};
   const auto found = std::find(is_held.begin(), is_held.end(), true);
   v.shapes(found == is_held.end() ? 0 : static_cast<std::size_t>(found - is_held.begin()), shapes, std::nullopt);
+}
+template <class... Kinds, class Value>
+void member_by_kind(FieldVisitor& v, const Field& field, const Answer& answer, const Value& value) {
+  v.member(field, true, [&](FieldVisitor& to) { visit_by_kind<Kinds...>(to, answer, value); });
 }
 
 bool has_curve(const FourBarAnswer& answer, bool is_expected) { return answer.given.curve || is_expected; }
@@ -57,7 +62,7 @@ void curve_field(FieldVisitor& v, const Answer& answer) {
   v.member(field, true, [&](FieldVisitor& at) {
     at.null_or(is_there, [&](FieldVisitor& to) {
       visit_by_kind<FourBarAnswer, SphericalAnswer>(
-          to, answer, JsonType::object, [](FieldVisitor& of, const auto& of_kind) { visit_curve(of, of_kind); });
+          to, answer, [](FieldVisitor& of, const auto& of_kind) { visit_curve(of, of_kind); });
     });
   });
 }
@@ -65,10 +70,8 @@ void curve_field(FieldVisitor& v, const Answer& answer) {
 void dyads_field(FieldVisitor& v, const Answer& answer) {
   const Field field("dyads",
                     "Five positions: all real ones; three orientations with given axes: the two; otherwise none.");
-  v.member(field, true, [&](FieldVisitor& to) {
-    visit_by_kind<FourBarAnswer, SphericalAnswer>(
-        to, answer, JsonType::list, [](FieldVisitor& of, const auto& of_kind) { visit_dyads(of, of_kind); });
-  });
+  member_by_kind<FourBarAnswer, SphericalAnswer>(
+      v, field, answer, [](FieldVisitor& to, const auto& of_kind) { visit_dyads(to, of_kind); });
 }
 
 void search_field(FieldVisitor& v, const Answer& answer) {
@@ -89,18 +92,12 @@ void linkage_fields(FieldVisitor& v, const Answer& answer) {
   const Field freed("freed",
                     "Five positions that no linkage passes as required: what freeing one of them comes to, nearest "
                     "first.");
-  v.member(linkages, true, [&](FieldVisitor& to) {
-    visit_by_kind<FourBarAnswer, SixBarAnswer, SphericalAnswer, StraightLineAnswer>(
-        to, answer, JsonType::list, [](FieldVisitor& of, const auto& of_kind) { visit_linkages(of, of_kind); });
-  });
-  v.member(pairs, true, [&](FieldVisitor& to) {
-    visit_by_kind<FourBarAnswer, SphericalAnswer>(
-        to, answer, JsonType::list, [](FieldVisitor& of, const auto& of_kind) { visit_pairs(of, of_kind); });
-  });
-  v.member(freed, true, [&](FieldVisitor& to) {
-    visit_by_kind<MotionAnswer, SphericalMotionAnswer>(
-        to, answer, JsonType::list, [](FieldVisitor& of, const auto& of_kind) { visit_freed(of, of_kind); });
-  });
+  member_by_kind<FourBarAnswer, SixBarAnswer, SphericalAnswer, StraightLineAnswer>(
+      v, linkages, answer, [](FieldVisitor& to, const auto& of_kind) { visit_linkages(to, of_kind); });
+  member_by_kind<FourBarAnswer, SphericalAnswer>(
+      v, pairs, answer, [](FieldVisitor& to, const auto& of_kind) { visit_pairs(to, of_kind); });
+  member_by_kind<MotionAnswer, SphericalMotionAnswer>(
+      v, freed, answer, [](FieldVisitor& to, const auto& of_kind) { visit_freed(to, of_kind); });
 }
 
 // ---- the region -----------------------------------------------------------------------------------------------------
@@ -264,6 +261,7 @@ FrontPlace place_of(const KindAnswer& answer, const ParetoCell& cell) {
 template <class KindAnswer>
 std::vector<FrontPlace> front_of(const KindAnswer& answer) {
   std::vector<FrontPlace> front;
+  if (!answer.options.pareto) return front;
   for (const ParetoCell& cell : answer.pareto) {
     front.push_back(place_of(answer, cell));
     for (std::size_t i = 0; i < 2; ++i)

@@ -9,12 +9,13 @@
 // What result files say, struct by struct; only written: see fields/field_visitor.hpp.
 namespace linkwright {
 
+/// A result file.
 struct ResultRecord {
   const Problem& problem;
   const Answer& answer;
   bool with_region = true;  ///< with the arrays of the map
 };
-void fields(FieldVisitor& v, const ResultRecord& result);
+void fields(FieldVisitor& v, const ResultRecord& of);
 
 void fields(FieldVisitor& v, const Notice& notice);
 void fields(FieldVisitor& v, const CurveBranch& branch);

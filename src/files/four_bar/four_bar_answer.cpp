@@ -74,9 +74,8 @@ void visit_dyads(FieldVisitor& v, const FourBarAnswer& answer) {
 }
 
 void visit_linkages(FieldVisitor& v, const FourBarAnswer& answer) {
-  const FourBarSolution none;
-  v.list(forms::on_lines, answer.linkages.size(), [&](FieldVisitor& to, std::size_t i) {
-    FourBarRecord record = record_of(i < answer.linkages.size() ? answer.linkages[i] : none, answer);
+  visit_each(v, forms::on_lines, answer.linkages, [&](FieldVisitor& to, const FourBarSolution& found, std::size_t i) {
+    FourBarRecord record = record_of(found, answer);
     record.notes.listed = ListedNotes(answer, i);
     fields(to, record);
   });

@@ -4,7 +4,7 @@
 #include <vector>
 
 #include "fields/field_visitor.hpp"
-#include "files/tolerance_report.hpp"
+#include "files/tolerance_record.hpp"
 #include "linkwright/core/result.hpp"
 #include "linkwright/mechanism/pose.hpp"
 #include "linkwright/planar/four_bar_solution.hpp"

@@ -6,6 +6,6 @@
 namespace linkwright {
 
 /// What a linkage of a result says of the function that it generates, as members of it; nothing of others.
-void function_error_fields(FieldVisitor& v, const std::optional<FunctionError>& error);
+void function_error_fields(FieldVisitor& v, const std::optional<FunctionError>& of);
 
 }  // namespace linkwright

@@ -10,9 +10,8 @@ void visit_search(FieldVisitor& v, const SixBarAnswer& answer) {
 }
 
 void visit_linkages(FieldVisitor& v, const SixBarAnswer& answer) {
-  const SixBarSolution none;
-  v.list(forms::on_lines, answer.linkages.size(), [&](FieldVisitor& to, std::size_t i) {
-    fields(to, SixBarRecord{i < answer.linkages.size() ? answer.linkages[i] : none, ListedNotes(answer, i)});
+  visit_each(v, forms::on_lines, answer.linkages, [&](FieldVisitor& to, const SixBarSolution& found, std::size_t i) {
+    fields(to, SixBarRecord{found, ListedNotes(answer, i)});
   });
 }
 

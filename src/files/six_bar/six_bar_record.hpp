@@ -4,7 +4,7 @@
 #include <span>
 
 #include "fields/field_visitor.hpp"
-#include "files/tolerance_report.hpp"
+#include "files/tolerance_record.hpp"
 #include "linkwright/mechanism/six_bar.hpp"
 #include "linkwright/synthesis/answer.hpp"
 

@@ -25,9 +25,13 @@ void visit_samples(FieldVisitor& v, const std::vector<SphericalDyad>& samples) {
   });
 }
 
+SphericalRecord record_of(const SphericalSolution& found, const SphericalAnswer& answer) {
+  return {found, notes_on(found, answer.family())};
+}
+
 StoredSphericalFourBar stored(const SphericalSolution& found, const SphericalAnswer& answer,
                               const std::vector<PrescribedOrientation>& orientations) {
-  const SphericalRecord record = {found, notes_on(found, answer.family())};
+  const SphericalRecord record = record_of(found, answer);
   StoredSphericalFourBar linkage;
   linkage.four_bar = found.four_bar;
   linkage.orientations = record.notes.orientations.empty() ? orientations : record.notes.orientations;
@@ -57,19 +61,16 @@ void visit_dyads(FieldVisitor& v, const SphericalAnswer& answer) {
 }
 
 void visit_linkages(FieldVisitor& v, const SphericalAnswer& answer) {
-  const SphericalSolution none;
-  v.list(forms::on_lines, answer.linkages.size(), [&](FieldVisitor& to, std::size_t i) {
-    const SphericalSolution& found = i < answer.linkages.size() ? answer.linkages[i] : none;
-    SphericalNotes notes = notes_on(found, answer.family());
-    notes.listed = ListedNotes(answer, i);
-    fields(to, SphericalRecord{found, notes});
+  visit_each(v, forms::on_lines, answer.linkages, [&](FieldVisitor& to, const SphericalSolution& found, std::size_t i) {
+    SphericalRecord record = record_of(found, answer);
+    record.notes.listed = ListedNotes(answer, i);
+    fields(to, record);
   });
 }
 
 void visit_pairs(FieldVisitor& v, const SphericalAnswer& answer) {
-  visit_each(v, forms::on_lines, answer.pairs, [&](FieldVisitor& to, const SphericalSolution& found) {
-    fields(to, SphericalRecord{found, notes_on(found, answer.family())});
-  });
+  visit_each(v, forms::on_lines, answer.pairs,
+             [&](FieldVisitor& to, const SphericalSolution& found) { fields(to, record_of(found, answer)); });
 }
 
 static void fields(FieldVisitor& v, const RelaxedOrientation& way_out) {

@@ -4,7 +4,7 @@
 #include <vector>
 
 #include "fields/field_visitor.hpp"
-#include "files/tolerance_report.hpp"
+#include "files/tolerance_record.hpp"
 #include "linkwright/spherical/spherical_solution.hpp"
 
 namespace linkwright {

@@ -30,11 +30,11 @@ bool is_mapped(const StraightLineAnswer& answer) {
 }
 
 void visit_linkages(FieldVisitor& v, const StraightLineAnswer& answer) {
-  const StraightLineSolution none;
-  v.list(forms::on_lines, answer.linkages.size(), [&](FieldVisitor& to, std::size_t i) {
-    fields(to, i < answer.linkages.size() ? record_of(answer.linkages[i], answer, ListedNotes(answer, i))
-                                          : StraightLineRecord{none});
-  });
+  visit_each(v, forms::on_lines, answer.linkages,
+             [&](FieldVisitor& to, const StraightLineSolution& found, std::size_t i) {
+               const bool is_listed = i < answer.linkages.size();
+               fields(to, is_listed ? record_of(found, answer, ListedNotes(answer, i)) : StraightLineRecord{found});
+             });
 }
 
 StoredLinkage stored(const StraightLineSolution& found, const StraightLineAnswer& answer) {

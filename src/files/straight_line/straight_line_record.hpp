@@ -3,7 +3,7 @@
 #include <string>
 
 #include "fields/field_visitor.hpp"
-#include "files/tolerance_report.hpp"
+#include "files/tolerance_record.hpp"
 #include "linkwright/infinitesimal/instant_analysis.hpp"
 #include "linkwright/straight_line/straight_line_solution.hpp"
 

@@ -1,4 +1,4 @@
-#include "tolerance_report.hpp"
+#include "tolerance_record.hpp"
 
 #include "files/fields/field_writer.hpp"
 #include "files/fields/result_forms.hpp"

@@ -15,7 +15,7 @@ struct ToleranceRecord {
   const ToleranceReport& report;
   std::uint64_t seed;
 };
-void fields(FieldVisitor& v, const ToleranceRecord& tolerance);
+void fields(FieldVisitor& v, const ToleranceRecord& of);
 
 /// What a list says of a linkage beside the linkage: at a picked place what it fails, with tolerances what they do.
 class ListedNotes {
