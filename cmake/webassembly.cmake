@@ -25,7 +25,7 @@ add_link_options(-fwasm-exceptions)
 
 # Pictures with a PNG inside need zlib; the page paints the region itself. STEP files are OpenCASCADE's.
 set(linkwright_not_in_webassembly src/drawing/png_image.cpp src/drawing/region_picture.cpp src/drawing/region_figure.cpp
-                                  src/drawing/solution_drawing.cpp src/machine/step_file.cpp)
+                                  src/machine/step_file.cpp)
 # The page asks for each file by itself.
 list(APPEND linkwright_not_in_webassembly src/machine/machine_export.cpp)
 # Nor does the engine read drawings of other programs: the page does.
@@ -34,3 +34,21 @@ list(APPEND linkwright_not_in_webassembly ${linkwright_outline_sources})
 # Sweeps are for programs that run for hours.
 file(GLOB linkwright_sweep_sources RELATIVE "${PROJECT_SOURCE_DIR}" src/sweep/*.cpp)
 list(APPEND linkwright_not_in_webassembly ${linkwright_sweep_sources})
+
+# The sources of a folder of a target are compiled for their size: they are soon run, and a visit waits for all of them.
+function(linkwright_make_small target folder)
+  get_target_property(sources ${target} SOURCES)
+  set(small ${sources})
+  list(FILTER small INCLUDE REGEX "^src/${folder}/.*\\.cpp$")
+  list(REMOVE_ITEM sources ${small})
+  set_target_properties(${target} PROPERTIES SOURCES "${sources}")
+  add_library(${target}_${folder} OBJECT ${small})
+  linkwright_target_options(${target}_${folder})
+  target_compile_options(${target}_${folder} PRIVATE -Oz)
+  foreach(property IN ITEMS INCLUDE_DIRECTORIES COMPILE_DEFINITIONS)
+    set_target_properties(${target}_${folder} PROPERTIES ${property} "$<TARGET_PROPERTY:${target},${property}>")
+  endforeach()
+  target_link_libraries(${target}_${folder} PRIVATE fmt::fmt nlohmann_json::nlohmann_json)
+  linkwright_unity_build(${target}_${folder} 12)
+  target_sources(${target} PRIVATE $<TARGET_OBJECTS:${target}_${folder}>)
+endfunction()
