@@ -47,7 +47,7 @@ test("every page has a policy that lets nothing in from elsewhere", () => {
 test("every public header has its section", () => {
   const all = readdirSync(join(root, "include/linkwright"), {recursive: true, encoding: "utf8"});
   const headers = all.filter((name) => name.endsWith(".hpp") && name !== "linkwright.hpp"); // which includes them
-  expect(headers.length).toBeGreaterThan(200);
+  expect(headers.length).toBeGreaterThan(50);
   for (const header of headers) {
     const [folder, name] = header.split("/") as [string, string];
     expect(ids(`cpp/${folder}.html`).has(name.replace(".", "-")), header).toBe(true);
