@@ -7,7 +7,6 @@
 
 #include "drawing/svg_canvas.hpp"
 #include "linkwright/core/angle.hpp"
-#include "support/attitude_case.hpp"
 #include "support/draws.hpp"
 #include "support/file_support.hpp"
 #include "support/spherical_case.hpp"
@@ -423,110 +422,6 @@ TEST(SvgDrawing, OfALinkageWithAPointShowsItsLine) {
   linkage.point = Point{0, 4};  // the pole, where it rests
   EXPECT_TRUE(is_well_formed(draw_linkage(linkage)));
   EXPECT_THAT(draw_linkage(linkage), Not(HasSubstr("nan")));
-}
-
-using testing::attitude_cases;
-using testing::AttitudeCase;
-
-void expect_picture(const std::string& svg, const std::string& name) {
-  EXPECT_NE(svg.find("width=\"640\""), std::string::npos) << name;
-  EXPECT_NE(svg.rfind("</svg>"), std::string::npos) << name;
-  for (const char* bad : {"nan", "inf", "\"1000000", ",1000000"})
-    EXPECT_EQ(svg.find(bad), std::string::npos) << name << ": " << bad;
-  EXPECT_LT(svg.size(), 200'000u) << name;
-}
-
-OrientationReport report_of(const StoredOrientation& orientation) {
-  return orientation_report({.orientation = orientation, .vectors = {}});
-}
-
-TEST(AttitudeDrawing, EveryWorkedRotationHasAPicture) {
-  for (const AttitudeCase& row : attitude_cases()) {
-    expect_picture(draw_orientation(report_of({.rotation = Rotation(row.input), .quaternion = row.input})), row.name);
-    for (const EulerSequence& sequence : {EulerSequence::euler_313(), EulerSequence::cardan_123()}) {
-      const EulerAngles angles = euler_angles(row.input, sequence).angles;
-      expect_picture(draw_orientation(report_of(
-                         {.rotation = angles.rotation(), .quaternion = angles.quaternion(), .euler = angles})),
-                     row.name + sequence.name());
-    }
-  }
-}
-
-TEST(AttitudeDrawing, TheLineOfNodesAndTheLockAreNamed) {
-  const auto picture = [](const EulerSequence& sequence, double second) {
-    const EulerAngles angles{sequence, 0.5, second, -0.3};
-    return draw_orientation(
-        report_of({.rotation = angles.rotation(), .quaternion = angles.quaternion(), .euler = angles}));
-  };
-  EXPECT_NE(picture(EulerSequence::euler_313(), 0.8).find("line of nodes"), std::string::npos);
-  EXPECT_NE(picture(EulerSequence::euler_313(), 0).find("Gimbal lock: z₀ = z₂"), std::string::npos);
-  EXPECT_NE(picture(EulerSequence::cardan_123(), 0.8).find("gimbals"), std::string::npos);
-  EXPECT_NE(picture(EulerSequence::cardan_123(), -1.5707963267948966).find("Gimbal lock: x₀ = −z₂"), std::string::npos);
-}
-
-TEST(AttitudeDrawing, ScrewsOfAllKindsAndSizes) {
-  for (const double size : {1e-12, 1.0, 1e12}) {
-    for (const double angle : {0.0, 1e-12, 1.0, 3.14159265358979, 40.0}) {
-      for (const double slide : {0.0, 1.0}) {
-        const auto moved = screw_displacement({1, 2, 3}, {size, 0, -size}, angle, size * slide);
-        ASSERT_TRUE(moved.ok());
-        const auto report = displacement_report(
-            {.length_unit = "mm", .displacement = *moved, .given = {}, .points = {}, .directions = {}});
-        ASSERT_TRUE(report.ok());
-        expect_picture(draw_displacement(*report), std::to_string(size) + " " + std::to_string(angle));
-      }
-    }
-  }
-}
-
-using ::testing::HasSubstr;
-using ::testing::Not;
-
-std::string drawn(const FourBar& bars, std::optional<Point> point = {}) {
-  StoredLinkage linkage;
-  linkage.four_bar = bars;
-  LinkageAnalysis analysis = analyze(linkage);
-  analysis.instant = LinkageInstant{bars, analyze_instant(bars, {.point = point, .input_acceleration = 0})};
-  return draw_instant(analysis);
-}
-
-TEST(InstantDrawing, NamesWhatItShows) {
-  const std::string svg = drawn({{-1, 0}, {-0.5, 1.2}, {1, 0}, {0.5, 1.2}}, Point{0.2, 0.9});
-  for (const char* name :
-       {"inflection circle", "return circle", "Bresse circle", "circling points", "centering points",
-        "Burmester points", "pole tangent", "pole normal", ">P<", ">W<", ">U<", ">J<", ">C<", ">C₀<"})
-    EXPECT_THAT(svg, HasSubstr(name));
-  EXPECT_LT(svg.size(), 300000U);
-}
-
-TEST(InstantDrawing, OfATranslationHasLines) {
-  const std::string svg = drawn({{0, 0}, {0, 1}, {3, 4}, {3, 1.5}});
-  EXPECT_THAT(svg, HasSubstr("inflection line"));
-  EXPECT_THAT(svg, HasSubstr("equilateral hyperbola"));
-  EXPECT_THAT(svg, Not(HasSubstr("return circle")));
-}
-
-TEST(InstantDrawing, SaysWhyThereIsNone) {
-  EXPECT_THAT(drawn({{0, 0}, {1, 0}, {4, 0}, {3, 0}}), HasSubstr("All links lie in one line"));
-}
-
-// Whatever the circles' size, no number of the picture is without bounds.
-TEST(InstantDrawing, NeverHoldsWhatIsNoNumber) {
-  for (int trial = 0; trial < 60; ++trial) {
-    const auto at = [&](int k) { return 100.0 * Point{std::sin(1.7 * trial + k), std::cos(2.3 * trial + 1.9 * k)}; };
-    const FourBar bars{at(1), at(2), at(3), at(4)};
-    const std::string svg = drawn(bars, at(5));
-    EXPECT_THAT(svg, Not(HasSubstr("nan"))) << trial;
-    EXPECT_THAT(svg, Not(HasSubstr("inf,"))) << trial;
-    EXPECT_LT(svg.size(), 400000U) << trial;
-  }
-}
-
-TEST(InstantDrawing, OfAPrescribedMotion) {
-  const PrescribedPose wheel{{{0, 1}, 0}, {{{-1, 0}, 1}, {{0, 0}, 0}, {{0, 0}, 0}}};
-  const std::string svg = draw_instant(PrescribedInstant{wheel, analyze_instant(wheel, Point{0, 2}), "Wheel", ""});
-  EXPECT_THAT(svg, HasSubstr("instant of the prescribed motion"));
-  EXPECT_THAT(svg, HasSubstr("Bresse line"));
 }
 
 }  // namespace

@@ -634,14 +634,5 @@ TEST_F(SolveAtAPlace, OfASearchIsRefused) {
   EXPECT_EQ(refused.errors()[0].place, "options.at");
 }
 
-TEST(Problem, AsksForAnyLinkageWithoutDefectsUnlessItSaysMore) {
-  const Problem problem;
-  EXPECT_TRUE(problem.requirements.no_defects);
-  EXPECT_TRUE(problem.requirements.types.empty());
-  EXPECT_EQ(problem.options.objective, Objective::min_transmission_angle);
-  EXPECT_TRUE(mistakes_in(problem.options).empty());
-  EXPECT_TRUE(mistakes_in(problem.requirements).empty());
-}
-
 }  // namespace
 }  // namespace linkwright::solve_test
