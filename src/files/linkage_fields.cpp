@@ -71,4 +71,14 @@ void swapped_field(FieldVisitor& v, const DefectReport& report) {
   });
 }
 
+std::optional<double> free_value(const LinkageFamily& family, MapPoint place) {
+  const AxisQuantity quantity = family.axis(Side::output).quantity;
+  const bool is_free = quantity == AxisQuantity::output_scale || quantity == AxisQuantity::pair_output;
+  return is_free ? std::optional(family.axis_value(Side::output, place.output)) : std::nullopt;
+}
+
+void free_value_field(FieldVisitor& v, std::optional<double> value) {
+  v.shown_if_any(Field("free_value", "Functions with a free number: the value that this linkage has."), value);
+}
+
 }  // namespace linkwright

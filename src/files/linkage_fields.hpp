@@ -3,6 +3,7 @@
 #include "fields/field_visitor.hpp"
 #include "linkwright/analysis/defects.hpp"
 #include "linkwright/mechanism/four_bar.hpp"
+#include "linkwright/region/linkage_family.hpp"
 
 // What results of several kinds say of a linkage.
 namespace linkwright {
@@ -20,4 +21,10 @@ void drive_fields(FieldVisitor& v, const DefectReport& report);
 void drive_fields(FieldVisitor& v, DriveSense sense, std::optional<double> sweep_deg);
 /// The member `swapped`.
 void swapped_field(FieldVisitor& v, const DefectReport& report);
+
+/// What a function task's free parameter is at a place of its map, as files hold it; of other tasks nothing.
+[[nodiscard]] std::optional<double> free_value(const LinkageFamily& family, MapPoint place);
+/// The member `free_value`.
+void free_value_field(FieldVisitor& v, std::optional<double> value);
+
 }  // namespace linkwright

@@ -62,14 +62,12 @@ void fields(FieldVisitor& v, const MissRecord& of) {
 FourBarNotes notes_on(const FourBarSolution& found, const TaskFamily& given) {
   if (!given.family) return {};
   const FourBarFamily& family = *given.family;
+  const MapPoint place{found.input.coordinate, found.output.coordinate};
   FourBarNotes notes;
   notes.defect = defect_notice(found, given);
   if (given.relaxed) notes.pose_error_size = given.relaxed->size;
-  if (found.function || given.relaxed)
-    notes.poses = family.user_poses({found.input.coordinate, found.output.coordinate}, found.four_bar);
-  const AxisQuantity quantity = family.axis(Side::output).quantity;
-  if (quantity == AxisQuantity::output_scale || quantity == AxisQuantity::pair_output)
-    notes.free_value = family.axis_value(Side::output, found.output.coordinate);
+  if (found.function || given.relaxed) notes.poses = family.user_poses(place, found.four_bar);
+  notes.free_value = free_value(family, place);
   return notes;
 }
 
@@ -91,8 +89,7 @@ void note_fields(FieldVisitor& v, const FourBarNotes& notes) {
   notes.listed.visit(v);
   v.shown_if_any(Field("reason", "With a defect: which positions it parts, in words."),
                  notes.defect ? std::optional(notes.defect->message) : std::nullopt);
-  v.shown_if_any(Field("free_value", "Functions with a free number: the value that this linkage has."),
-                 notes.free_value);
+  free_value_field(v, notes.free_value);
   poses_field(v, notes.poses);
 }
 

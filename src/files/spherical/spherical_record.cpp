@@ -51,9 +51,7 @@ SphericalNotes notes_on(const SphericalSolution& found, const SphericalFamily* f
   if (!family) return notes;
   const MapPoint place{found.input.coordinate, found.output.coordinate};
   if (found.function) notes.orientations = family->orientations(place, found.four_bar);
-  const AxisQuantity quantity = family->axis(Side::output).quantity;
-  if (quantity == AxisQuantity::output_scale || quantity == AxisQuantity::pair_output)
-    notes.free_value = family->axis_value(Side::output, place.output);
+  notes.free_value = free_value(*family, place);
   return notes;
 }
 
@@ -72,8 +70,7 @@ void orientations_field(FieldVisitor& v, const std::vector<PrescribedOrientation
 
 void note_fields(FieldVisitor& v, const SphericalNotes& notes) {
   notes.listed.visit(v);
-  v.shown_if_any(Field("free_value", "Functions with a free number: the value that this linkage has."),
-                 notes.free_value);
+  free_value_field(v, notes.free_value);
   orientations_field(v, notes.orientations);
 }
 
