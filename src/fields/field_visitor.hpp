@@ -12,6 +12,7 @@
 #include <variant>
 #include <vector>
 
+#include "core/function_ref.hpp"
 #include "linkwright/algebra/point.hpp"
 #include "linkwright/algebra/vector3.hpp"
 #include "linkwright/attitude/given_orientation.hpp"
@@ -31,9 +32,23 @@ struct Wanted {
   std::string_view name, words;
 };
 
-/// A member of an object: its key, and a sentence on it for those who write files.
+#ifdef __EMSCRIPTEN__
+inline constexpr bool describes_fields = false;  // the page makes no schema, and need not load what stands there only
+#else
+inline constexpr bool describes_fields = true;
+#endif
+
+/// A sentence for those who write files, which the schema says; empty in the page.
+struct Sentence {
+  constexpr Sentence(std::string_view its_words = "") : words(describes_fields ? its_words : "") {}
+  constexpr Sentence(const char* its_words) : words(describes_fields ? its_words : "") {}
+
+  std::string_view words;
+};
+
+/// A member of an object: its key, and a sentence on it.
 struct Field {
-  Field(std::string_view its_key, std::string_view sentence = "") : key(its_key), about(sentence) {}
+  Field(std::string_view its_key, Sentence sentence = {}) : key(its_key), about(sentence) {}
   Field(const char* its_key) : Field(std::string_view(its_key)) {}
 
   /// What is asked for where it must be there and is not; otherwise a number, two numbers, …, as the value has it.
@@ -44,7 +59,8 @@ struct Field {
   /// What is nothing is written, as null; otherwise left out.
   [[nodiscard]] Field null_for_none() const;
 
-  std::string_view key, about;
+  std::string_view key;
+  Sentence about;
   std::optional<Wanted> wanted;
   bool is_written = true, is_absent = false, shows_none = false;
 };
@@ -55,11 +71,12 @@ struct Number {
   static constexpr double unlimited = std::numeric_limits<double>::infinity();
 
   double least = -unlimited, most = unlimited;
-  bool above = false, below = false;       ///< the least, the most itself is outside
-  bool is_angle = false;                   ///< radians in the struct, degrees in files
-  std::optional<double> null = {};         ///< what null stands for, in the struct; nothing: it may not be null
-  bool shows_null = false;                 ///< what null stands for is written as null
-  std::string_view name = "", about = "";  ///< of such numbers in the schema
+  bool above = false, below = false;  ///< the least, the most itself is outside
+  bool is_angle = false;              ///< radians in the struct, degrees in files
+  std::optional<double> null = {};    ///< what null stands for, in the struct; nothing: it may not be null
+  bool shows_null = false;            ///< what null stands for is written as null
+  std::string_view name = "";         ///< of such numbers in the schema
+  Sentence about = {};
 };
 struct Whole {
   std::int64_t least, most;
@@ -71,13 +88,15 @@ struct Whole {
 struct Pair {
   Wanted form;
   Number each = {};
-  std::string_view name = "", about = "";
+  std::string_view name = "";
+  Sentence about = {};
 };
 /// Three of them. `is_bounded`: readers themselves refuse what is beyond largest_quantity.
 struct Vector {
   Number each = {};
   bool is_bounded = false;
-  std::string_view name = "", about = "";
+  std::string_view name = "";
+  Sentence about = {};
 };
 struct List {
   Wanted what;
@@ -87,13 +106,15 @@ struct List {
   std::string_view code = "", sentence = "";
   /// Said where all could be read and are not `most`, on {count}.
   std::string_view length_code = "", length_sentence = "", sentence_of_one = "";
-  bool on_lines = false;                   ///< an element a line
-  bool is_of_length = false;               ///< of another length it is of another type
-  std::string_view name = "", about = "";  ///< of such lists in the schema
+  bool on_lines = false;       ///< an element a line
+  bool is_of_length = false;   ///< of another length it is of another type
+  std::string_view name = "";  ///< of such lists in the schema
+  Sentence about = {};
 };
 struct Object {
-  std::string_view name = "", about = "";  ///< in the schema
-  bool on_lines = false;                   ///< a member a line
+  std::string_view name = "";  ///< in the schema
+  Sentence about = {};
+  bool on_lines = false;  ///< a member a line
 };
 /// An object whose keys come with the data: of what form, as a regular expression.
 struct Keyed {
@@ -112,16 +133,17 @@ struct Words {
 };
 
 class FieldVisitor;
-using Visit = std::function<void(FieldVisitor&)>;
+using Visit = FunctionRef<void(FieldVisitor&)>;
+using KeptVisit = std::function<void(FieldVisitor&)>;
 /// Of the element of that index, which may be one behind the last.
-using VisitElement = std::function<void(FieldVisitor&, std::size_t)>;
-using BytesOfRow = std::function<std::span<const std::uint8_t>(std::size_t row)>;
+using VisitElement = FunctionRef<void(FieldVisitor&, std::size_t)>;
+using BytesOfRow = FunctionRef<std::span<const std::uint8_t>(std::size_t row)>;
 
 /// Members of which others of the object go without: those of its keys that tell that it is meant, then all of it.
 struct Alternative {
   std::vector<std::string_view> keys;
   Object described;
-  Visit members;
+  KeptVisit members;
 };
 /// What is said where none or two of the alternatives are there; of the latter {first} and {second} may be told. Where
 /// nothing is said, the first that is there counts, and the last where none is.
@@ -132,19 +154,19 @@ struct OneOf {
 struct Case {
   std::string_view name;
   Object described;
-  Visit members;
+  KeptVisit members;
   std::string_view with = "";
 };
 /// A kind of task by a mechanism.
 struct Kind {
   std::string_view kind, mechanism;
-  Visit task;
+  KeptVisit task;
 };
 enum class JsonType : std::uint8_t { number, text, list, object };
 /// A value of that type.
 struct Shape {
   JsonType type;
-  Visit value;
+  KeptVisit value;
 };
 
 /// Walks a struct's members in the order in which they are written.
@@ -172,7 +194,7 @@ class FieldVisitor {
   template <class Value, class... Form>
   void shown_if_any(const Field& field, std::optional<Value> value, const Form&... form);
 
-  virtual bool member(const Field& field, bool is_required, const Visit& value) = 0;
+  virtual bool member(const Field& field, bool is_required, Visit value) = 0;
   virtual void constant(std::string_view key, std::string_view value) = 0;
   /// A member that belongs elsewhere: why it is refused.
   virtual void refuse(std::string_view /*key*/, std::string_view /*code*/, const std::string& /*message*/) {}
@@ -183,11 +205,11 @@ class FieldVisitor {
   /// The members that give an orientation.
   virtual void orientation(GivenOrientation& orientation) = 0;
 
-  virtual void object(const Object& described, const Visit& members) = 0;
+  virtual void object(const Object& described, Visit members) = 0;
   virtual void kinds(std::size_t current, std::span<const Kind> all) = 0;
   virtual void shapes(std::size_t current, std::span<const Shape> shapes, std::optional<Wanted> otherwise) = 0;
-  virtual void null_or(bool& is_there, const Visit& value) = 0;
-  virtual void list(const List& described, std::size_t count, const VisitElement& element) = 0;
+  virtual void null_or(bool& is_there, Visit value) = 0;
+  virtual void list(const List& described, std::size_t count, VisitElement element) = 0;
   virtual void number(double& value, const Number& described) = 0;
   virtual void whole(std::int64_t& value, const Whole& described) = 0;
   virtual void flag(bool& value) = 0;
@@ -200,18 +222,17 @@ class FieldVisitor {
   virtual void foreign(std::string& object) = 0;
   /// A value with a name of its own in the schema, and one that another schema describes there:
   /// "problem.schema.json#/$defs/pose".
-  virtual void named(std::string_view /*name*/, const Visit& value) { value(*this); }
-  virtual void described_in(std::string_view /*where*/, const Visit& value) { value(*this); }
+  virtual void named(std::string_view /*name*/, Visit value) { value(*this); }
+  virtual void described_in(std::string_view /*where*/, Visit value) { value(*this); }
 
   // Of what is only written.
-  virtual void keyed(const Keyed& /*described*/, std::span<const std::string> /*keys*/, const VisitElement& /*value*/) {
-  }
+  virtual void keyed(const Keyed& /*described*/, std::span<const std::string> /*keys*/, VisitElement /*value*/) {}
   /// A text of many bytes, as base64.
-  virtual void bytes(std::size_t /*rows*/, const BytesOfRow& /*of_row*/) {}
+  virtual void bytes(std::size_t /*rows*/, BytesOfRow /*of_row*/) {}
 
   /// What is wrong here with what was read; of the second asked for only where all of the object could be read.
   virtual void mistake(std::string_view /*code*/, const std::string& /*message*/, const Values& /*values*/) {}
-  virtual void check(const std::function<std::vector<Error>()>& /*mistakes*/) {}
+  virtual void check(FunctionRef<std::vector<Error>()> /*mistakes*/) {}
 };
 
 inline Field Field::missing(Wanted what) const {

@@ -16,7 +16,7 @@ namespace {
 
 /// `without_record` writes the linkage where it came from no result.
 template <class Stored>
-std::string written(const Stored& linkage, const std::function<void(JsonWriter&)>& without_record) {
+std::string written(const Stored& linkage, FunctionRef<void(JsonWriter&)> without_record) {
   std::string text;
   {
     JsonWriter json([&text](std::string_view piece) { text += piece; });

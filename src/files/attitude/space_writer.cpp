@@ -51,7 +51,7 @@ void write_quaternion(JsonWriter& json, std::string_view key, const UnitQuaterni
 
 void write_angle(JsonWriter& json, std::string_view key, double angle) { json.member(key, degrees_for_files(angle)); }
 
-std::string attitude_file_text(const std::function<void(JsonWriter&)>& members) {
+std::string attitude_file_text(FunctionRef<void(JsonWriter&)> members) {
   std::string text;
   {
     JsonWriter json([&text](std::string_view piece) { text += piece; });

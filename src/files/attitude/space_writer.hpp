@@ -24,6 +24,6 @@ void write_quaternion(JsonWriter& json, std::string_view key, const UnitQuaterni
 void write_angle(JsonWriter& json, std::string_view key, double angle);
 
 /// The text that `members` writes as one object with the version of the file.
-[[nodiscard]] std::string attitude_file_text(const std::function<void(JsonWriter&)>& members);
+[[nodiscard]] std::string attitude_file_text(FunctionRef<void(JsonWriter&)> members);
 
 }  // namespace linkwright

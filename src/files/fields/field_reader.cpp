@@ -30,7 +30,7 @@ bool is_of(JsonType type, const nlohmann::json& json) {
 
 bool FieldReader::has(std::string_view key) const { return at_.json().contains(std::string(key)); }
 
-bool FieldReader::read_at(JsonValue place, const Visit& value) {
+bool FieldReader::read_at(JsonValue place, Visit value) {
   const std::size_t before = mistakes_.size();
   std::swap(at_, place);
   const bool was_listing = std::exchange(is_listing_, false);
@@ -40,7 +40,7 @@ bool FieldReader::read_at(JsonValue place, const Visit& value) {
   return mistakes_.size() == before;
 }
 
-bool FieldReader::member(const Field& field, bool is_required, const Visit& value) {
+bool FieldReader::member(const Field& field, bool is_required, Visit value) {
   if (is_listing_) {
     known_.push_back(field.key);
     return true;
@@ -127,7 +127,7 @@ void FieldReader::orientation(GivenOrientation& orientation) {
   orientation = {read->quaternion, members};
 }
 
-void FieldReader::look_for_foreign_keys(const Visit& members) {
+void FieldReader::look_for_foreign_keys(Visit members) {
   is_listing_ = true;
   known_.clear();
   members(*this);
@@ -135,7 +135,7 @@ void FieldReader::look_for_foreign_keys(const Visit& members) {
   if (others_ == OtherMembers::refused) (void)JsonObject(at_, mistakes_, std::span<const std::string_view>(known_));
 }
 
-void FieldReader::object(const Object& /*described*/, const Visit& members) {
+void FieldReader::object(const Object& /*described*/, Visit members) {
   if (!at_.is_object()) return at_.wrong_type({"object_in_braces", "an object { … }"});
   const std::size_t before = std::exchange(mistakes_before_, mistakes_.size());
   look_for_foreign_keys(members);
@@ -149,7 +149,7 @@ void FieldReader::shapes(std::size_t /*current*/, std::span<const Shape> shapes,
   otherwise ? at_.wrong_type(*otherwise) : shapes.back().value(*this);
 }
 
-void FieldReader::null_or(bool& is_there, const Visit& value) { is_there = !at_.is_null() && read_at(at_, value); }
+void FieldReader::null_or(bool& is_there, Visit value) { is_there = !at_.is_null() && read_at(at_, value); }
 
 namespace {
 
@@ -166,7 +166,7 @@ void refuse_length(const JsonValue& list, std::string_view code, std::string_vie
 
 }  // namespace
 
-void FieldReader::list(const List& described, std::size_t /*count*/, const VisitElement& element) {
+void FieldReader::list(const List& described, std::size_t /*count*/, VisitElement element) {
   const nlohmann::json& json = at_.json();
   if (json.is_array() && json.size() > described.most_read)
     return refuse_length(at_, described.code, described.sentence, described.most_read);
@@ -236,7 +236,7 @@ void FieldReader::mistake(std::string_view code, const std::string& message, con
   if (!is_listing_) at_.mistake(std::string(code), message, values);
 }
 
-void FieldReader::check(const std::function<std::vector<Error>()>& mistakes) {
+void FieldReader::check(FunctionRef<std::vector<Error>()> mistakes) {
   if (!is_listing_ && mistakes_.size() == mistakes_before_) mistakes_.add_new(mistakes());
 }
 

@@ -18,18 +18,18 @@ class FieldReader final : public FieldVisitor {
   explicit FieldReader(const JsonValue& value, Mistakes& mistakes, OtherMembers others = OtherMembers::refused)
       : at_(value), mistakes_(mistakes), others_(others) {}
 
-  bool member(const Field& field, bool is_required, const Visit& value) override;
+  bool member(const Field& field, bool is_required, Visit value) override;
   void constant(std::string_view key, std::string_view value) override;
   void refuse(std::string_view key, std::string_view code, const std::string& message) override;
   void one_of(std::size_t current, std::span<const Alternative> alternatives, const OneOf& wrong) override;
   void switch_on(const Field& field, std::size_t current, std::span<const Case> cases) override;
   void orientation(GivenOrientation& orientation) override;
 
-  void object(const Object& described, const Visit& members) override;
+  void object(const Object& described, Visit members) override;
   void kinds(std::size_t current, std::span<const Kind> all) override;
   void shapes(std::size_t current, std::span<const Shape> shapes, std::optional<Wanted> otherwise) override;
-  void null_or(bool& is_there, const Visit& value) override;
-  void list(const List& described, std::size_t count, const VisitElement& element) override;
+  void null_or(bool& is_there, Visit value) override;
+  void list(const List& described, std::size_t count, VisitElement element) override;
   void number(double& value, const Number& described) override;
   void whole(std::int64_t& value, const Whole& described) override;
   void flag(bool& value) override;
@@ -40,14 +40,14 @@ class FieldReader final : public FieldVisitor {
   void foreign(std::string& object) override;
 
   void mistake(std::string_view code, const std::string& message, const Values& values) override;
-  void check(const std::function<std::vector<Error>()>& mistakes) override;
+  void check(FunctionRef<std::vector<Error>()> mistakes) override;
 
  private:
-  bool read_at(JsonValue place, const Visit& value);
+  bool read_at(JsonValue place, Visit value);
   bool has(std::string_view key) const;
   /// A key is none that is known here, and like one of theirs.
   bool misspells_one_of(std::span<const Alternative> alternatives) const;
-  void look_for_foreign_keys(const Visit& members);
+  void look_for_foreign_keys(Visit members);
   void list_keys_of(std::span<const Alternative> alternatives);
 
   JsonValue at_;

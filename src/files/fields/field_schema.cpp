@@ -39,15 +39,15 @@ Json or_null(Json schema) {
   return schema;
 }
 
-Json described(std::string_view about, const Json& schema) {
+Json described(Sentence about, const Json& schema) {
   Json whole = Json::object();
-  if (!about.empty()) whole["description"] = about;
+  if (!about.words.empty()) whole["description"] = about.words;
   whole.update(schema);
   return whole;
 }
 
 /// As it is written; null where it is an object, or nothing in a list or a text.
-Json written(const Visit& value) {
+Json written(Visit value) {
   const Json json = Json::parse(json_text_of([&](JsonWriter& to) {
     FieldWriter writer(to);
     value(writer);
@@ -63,13 +63,13 @@ Json FieldSchema::take() {
   return whole;
 }
 
-Json FieldSchema::of(const Visit& value) {
+Json FieldSchema::of(Visit value) {
   const Json outer = std::exchange(schema_, Json::object());
   value(*this);
   return std::exchange(schema_, outer);
 }
 
-void FieldSchema::define(std::string_view name, std::string_view about, Json schema) {
+void FieldSchema::define(std::string_view name, Sentence about, Json schema) {
   const Json whole = described(about, schema);
   if (name.empty()) {
     schema_.update(whole);
@@ -79,7 +79,7 @@ void FieldSchema::define(std::string_view name, std::string_view about, Json sch
   schema_["$ref"] = "#/$defs/" + std::string(name);
 }
 
-bool FieldSchema::member(const Field& field, bool is_required, const Visit& value) {
+bool FieldSchema::member(const Field& field, bool is_required, Visit value) {
   const bool has_default = defaults_ == Defaults::told && !field.is_absent && !is_required;
   const Json default_value = has_default ? written(value) : Json();
   Json whole = described(field.about, of(value));
@@ -94,7 +94,7 @@ void FieldSchema::constant(std::string_view key, std::string_view value) {
   schema_["required"].push_back(key);
 }
 
-void FieldSchema::alternative(const Object& described_as, const Visit& members) {
+void FieldSchema::alternative(const Object& described_as, Visit members) {
   const Json own = of(members);
   alternatives_.push_back(of([&](FieldVisitor&) { define(described_as.name, described_as.about, own); }));
 }
@@ -129,7 +129,7 @@ void FieldSchema::orientation(GivenOrientation& /*orientation*/) {
                                  {{"enum", {"intrinsic", "extrinsic"}}});
 }
 
-void FieldSchema::object(const Object& described_as, const Visit& members) {
+void FieldSchema::object(const Object& described_as, Visit members) {
   auto outer = std::exchange(alternatives_, {});
   Json whole = {{"type", "object"}};
   whole.update(of(members));
@@ -151,9 +151,9 @@ void FieldSchema::shapes(std::size_t /*current*/, std::span<const Shape> shapes,
   schema_["anyOf"] = any;
 }
 
-void FieldSchema::null_or(bool& /*is_there*/, const Visit& value) { schema_ = or_null(of(value)); }
+void FieldSchema::null_or(bool& /*is_there*/, Visit value) { schema_ = or_null(of(value)); }
 
-void FieldSchema::list(const List& described_as, std::size_t count, const VisitElement& element) {
+void FieldSchema::list(const List& described_as, std::size_t count, VisitElement element) {
   const std::size_t least = described_as.is_of_length ? described_as.most : described_as.least;
   const Json item = of([&](FieldVisitor& to) { element(to, count == 0 ? 0 : count - 1); });
   define(described_as.name, described_as.about, list_of(least, described_as.most, item));
@@ -193,16 +193,16 @@ void FieldSchema::vector(Vector3& /*value*/, const Vector& vector) {
 
 void FieldSchema::foreign(std::string& /*object*/) { schema_["type"] = "object"; }
 
-void FieldSchema::named(std::string_view name, const Visit& value) { define(name, "", of(value)); }
-void FieldSchema::described_in(std::string_view where, const Visit& /*value*/) { schema_["$ref"] = where; }
+void FieldSchema::named(std::string_view name, Visit value) { define(name, "", of(value)); }
+void FieldSchema::described_in(std::string_view where, Visit /*value*/) { schema_["$ref"] = where; }
 
-void FieldSchema::keyed(const Keyed& described_as, std::span<const std::string> keys, const VisitElement& value) {
+void FieldSchema::keyed(const Keyed& described_as, std::span<const std::string> keys, VisitElement value) {
   const Json each = of([&](FieldVisitor& to) { value(to, keys.empty() ? 0 : keys.size() - 1); });
   schema_ = {
       {"type", "object"}, {"propertyNames", {{"pattern", described_as.pattern}}}, {"additionalProperties", each}};
 }
 
-void FieldSchema::bytes(std::size_t /*rows*/, const BytesOfRow& /*of_row*/) {
+void FieldSchema::bytes(std::size_t /*rows*/, BytesOfRow /*of_row*/) {
   define("base64", "", {{"type", "string"}, {"contentEncoding", "base64"}, {"pattern", "^[A-Za-z0-9+/]*={0,2}$"}});
 }
 

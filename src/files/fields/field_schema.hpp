@@ -20,17 +20,17 @@ class FieldSchema final : public FieldVisitor {
   /// The schema of what was visited, with its definitions.
   [[nodiscard]] Json take();
 
-  bool member(const Field& field, bool is_required, const Visit& value) override;
+  bool member(const Field& field, bool is_required, Visit value) override;
   void constant(std::string_view key, std::string_view value) override;
   void one_of(std::size_t current, std::span<const Alternative> alternatives, const OneOf& wrong) override;
   void switch_on(const Field& field, std::size_t current, std::span<const Case> cases) override;
   void orientation(GivenOrientation& orientation) override;
 
-  void object(const Object& described, const Visit& members) override;
+  void object(const Object& described, Visit members) override;
   void kinds(std::size_t current, std::span<const Kind> all) override;
   void shapes(std::size_t current, std::span<const Shape> shapes, std::optional<Wanted> otherwise) override;
-  void null_or(bool& is_there, const Visit& value) override;
-  void list(const List& described, std::size_t count, const VisitElement& element) override;
+  void null_or(bool& is_there, Visit value) override;
+  void list(const List& described, std::size_t count, VisitElement element) override;
   void number(double& value, const Number& described) override;
   void whole(std::int64_t& value, const Whole& described) override;
   void flag(bool& value) override;
@@ -39,16 +39,16 @@ class FieldSchema final : public FieldVisitor {
   void pair(std::array<double, 2>& value, const Pair& described) override;
   void vector(Vector3& value, const Vector& described) override;
   void foreign(std::string& object) override;
-  void named(std::string_view name, const Visit& value) override;
-  void described_in(std::string_view where, const Visit& value) override;
-  void keyed(const Keyed& described, std::span<const std::string> keys, const VisitElement& value) override;
-  void bytes(std::size_t rows, const BytesOfRow& of_row) override;
+  void named(std::string_view name, Visit value) override;
+  void described_in(std::string_view where, Visit value) override;
+  void keyed(const Keyed& described, std::span<const std::string> keys, VisitElement value) override;
+  void bytes(std::size_t rows, BytesOfRow of_row) override;
 
  private:
-  Json of(const Visit& value);
+  Json of(Visit value);
   Json of(const Number& number) const;
-  void define(std::string_view name, std::string_view about, Json schema);
-  void alternative(const Object& described, const Visit& members);
+  void define(std::string_view name, Sentence about, Json schema);
+  void alternative(const Object& described, Visit members);
 
   Defaults defaults_;
   Json schema_ = Json::object();  ///< of the value in hand

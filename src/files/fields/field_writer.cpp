@@ -16,7 +16,7 @@ double readable(double value, const Number& number) { return number.is_angle ? d
 
 }  // namespace
 
-bool FieldWriter::member(const Field& field, bool /*is_required*/, const Visit& value) {
+bool FieldWriter::member(const Field& field, bool /*is_required*/, Visit value) {
   if (!field.is_written) return true;
   json_.key(field.key);
   value(*this);
@@ -43,7 +43,7 @@ void FieldWriter::orientation(GivenOrientation& orientation) {
   json_.end_list();
 }
 
-void FieldWriter::object(const Object& described, const Visit& members) {
+void FieldWriter::object(const Object& described, Visit members) {
   json_.begin_object(layout(described.on_lines));
   members(*this);
   json_.end_object();
@@ -55,9 +55,9 @@ void FieldWriter::shapes(std::size_t current, std::span<const Shape> shapes, std
   shapes[current].value(*this);
 }
 
-void FieldWriter::null_or(bool& is_there, const Visit& value) { is_there ? value(*this) : json_.null(); }
+void FieldWriter::null_or(bool& is_there, Visit value) { is_there ? value(*this) : json_.null(); }
 
-void FieldWriter::list(const List& described, std::size_t count, const VisitElement& element) {
+void FieldWriter::list(const List& described, std::size_t count, VisitElement element) {
   json_.begin_list(layout(described.on_lines));
   for (std::size_t i = 0; i < count; ++i) element(*this, i);
   json_.end_list();
@@ -89,7 +89,7 @@ void FieldWriter::vector(Vector3& value, const Vector& /*described*/) {
 
 void FieldWriter::foreign(std::string& object) { json_.json(object); }
 
-void FieldWriter::keyed(const Keyed& described, std::span<const std::string> keys, const VisitElement& value) {
+void FieldWriter::keyed(const Keyed& described, std::span<const std::string> keys, VisitElement value) {
   json_.begin_object(layout(described.on_lines));
   for (std::size_t i = 0; i < keys.size(); ++i) {
     json_.key(keys[i]);
@@ -98,7 +98,7 @@ void FieldWriter::keyed(const Keyed& described, std::span<const std::string> key
   json_.end_object();
 }
 
-void FieldWriter::bytes(std::size_t rows, const BytesOfRow& of_row) {
+void FieldWriter::bytes(std::size_t rows, BytesOfRow of_row) {
   Base64Encoder encoder;
   std::string text;
   json_.begin_text();

@@ -87,7 +87,7 @@ std::string json_text(std::string_view text) {
   return nlohmann::json(text).dump(-1, ' ', only_ascii, nlohmann::json::error_handler_t::replace);
 }
 
-std::string json_text_of(const std::function<void(JsonWriter&)>& write) {
+std::string json_text_of(FunctionRef<void(JsonWriter&)> write) {
   std::string text;
   JsonWriter json([&text](std::string_view piece) { text += piece; });
   write(json);

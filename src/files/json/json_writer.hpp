@@ -1,11 +1,11 @@
 #pragma once
 
 #include <cstdint>
-#include <functional>
 #include <string>
 #include <string_view>
 #include <vector>
 
+#include "core/function_ref.hpp"
 #include "linkwright/files/text_file.hpp"
 
 namespace linkwright {
@@ -71,6 +71,6 @@ class JsonWriter {
 [[nodiscard]] std::string json_text(std::string_view text);
 
 /// What `write` writes.
-[[nodiscard]] std::string json_text_of(const std::function<void(JsonWriter&)>& write);
+[[nodiscard]] std::string json_text_of(FunctionRef<void(JsonWriter&)> write);
 
 }  // namespace linkwright
