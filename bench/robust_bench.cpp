@@ -8,8 +8,8 @@
 #include <nlohmann/json.hpp>
 
 #include "bench_task.hpp"
-#include "linkwright/analysis/position.hpp"
 #include "linkwright/files/problem_file.hpp"
+#include "linkwright/mechanism/position.hpp"
 #include "linkwright/robust/tolerance_sampling.hpp"
 #include "linkwright/synthesis/solve.hpp"
 #include "robust/tolerance_error_kernel.hpp"

@@ -23,7 +23,6 @@ RANKS = (
     ("algebra",),
     ("attitude",),
     ("mechanism",),
-    ("analysis",),
     ("region",),
     ("fields",),
     ("function",),

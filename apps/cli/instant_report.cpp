@@ -1,10 +1,10 @@
 #include <cmath>
 #include <fmt/format.h>
 
-#include "linkwright/analysis/position.hpp"
 #include "linkwright/core/angle.hpp"
 #include "linkwright/files/label.hpp"
 #include "linkwright/files/number_text.hpp"
+#include "linkwright/mechanism/position.hpp"
 #include "report.hpp"
 #include "text_table.hpp"
 

@@ -6,8 +6,6 @@
 #include <string_view>
 #include <vector>
 
-#include "linkwright/analysis/drive_table.hpp"
-#include "linkwright/analysis/linkage_type.hpp"
 #include "linkwright/core/angle.hpp"
 #include "linkwright/files/analysis_file.hpp"
 #include "linkwright/files/angular_motion_file.hpp"
@@ -20,6 +18,8 @@
 #include "linkwright/files/six_bar_file.hpp"
 #include "linkwright/files/spherical_file.hpp"
 #include "linkwright/files/twist_file.hpp"
+#include "linkwright/mechanism/drive_table.hpp"
+#include "linkwright/mechanism/linkage_type.hpp"
 #include "linkwright/planar/four_bar_solution.hpp"
 #include "linkwright/sweep/sweep_plan.hpp"
 #include "linkwright/synthesis/answer.hpp"

@@ -8,12 +8,12 @@
 #include "files/six_bar/six_bar_record.hpp"
 #include "files/spherical/spherical_record.hpp"
 #include "linkwright/files/csv_table.hpp"
-#include "linkwright/spherical/spherical_analysis.hpp"
-#include "linkwright/spherical/spherical_defects.hpp"
+#include "linkwright/mechanism/spherical_analysis.hpp"
+#include "linkwright/mechanism/spherical_defects.hpp"
+#include "mechanism/spherical_travel.hpp"
 #include "replies.hpp"
 #include "reply_json.hpp"
 #include "solve/kinds.hpp"
-#include "spherical/spherical_travel.hpp"
 
 namespace linkwright::wasm {
 namespace {

@@ -2,9 +2,6 @@
 
 // All that a program of yours needs of the library.
 
-#include "linkwright/analysis/drive_table.hpp"
-#include "linkwright/analysis/linkage_type.hpp"
-#include "linkwright/analysis/position.hpp"
 #include "linkwright/core/angle.hpp"
 #include "linkwright/core/count_text.hpp"
 #include "linkwright/core/parallel.hpp"
@@ -38,6 +35,9 @@
 #include "linkwright/infinitesimal/instant_analysis.hpp"
 #include "linkwright/machine/machine.hpp"
 #include "linkwright/machine/machine_export.hpp"
+#include "linkwright/mechanism/drive_table.hpp"
+#include "linkwright/mechanism/linkage_type.hpp"
+#include "linkwright/mechanism/position.hpp"
 #include "linkwright/planar/four_bar_solution.hpp"
 #include "linkwright/region/requirement_filter.hpp"
 #include "linkwright/solve/halo.hpp"

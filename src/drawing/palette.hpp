@@ -5,7 +5,7 @@
 #include <cstdint>
 #include <string_view>
 
-#include "linkwright/analysis/linkage_type.hpp"
+#include "linkwright/mechanism/linkage_type.hpp"
 
 namespace linkwright::palette {
 

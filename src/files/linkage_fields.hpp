@@ -1,7 +1,7 @@
 #pragma once
 
 #include "fields/field_visitor.hpp"
-#include "linkwright/analysis/defects.hpp"
+#include "linkwright/mechanism/defects.hpp"
 #include "linkwright/mechanism/four_bar.hpp"
 #include "linkwright/region/linkage_family.hpp"
 

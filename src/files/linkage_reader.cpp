@@ -10,8 +10,6 @@
 #include "files/json/mistakes.hpp"
 #include "files/six_bar/six_bar_reader.hpp"
 #include "files/spherical/spherical_reader.hpp"
-#include "linkwright/analysis/linkage_type.hpp"
-#include "linkwright/analysis/position.hpp"
 #include "linkwright/core/angle.hpp"
 #include "linkwright/core/count_text.hpp"
 #include "linkwright/files/linkage_file.hpp"
@@ -19,6 +17,8 @@
 #include "linkwright/files/problem_file.hpp"
 #include "linkwright/files/result_file.hpp"
 #include "linkwright/files/six_bar_file.hpp"
+#include "linkwright/mechanism/linkage_type.hpp"
+#include "linkwright/mechanism/position.hpp"
 #include "problem_fields.hpp"
 #include "vocabulary.hpp"
 

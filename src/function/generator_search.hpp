@@ -3,9 +3,9 @@
 #include <optional>
 #include <vector>
 
-#include "linkwright/analysis/linkage_type.hpp"
 #include "linkwright/core/progress.hpp"
 #include "linkwright/function/function_error.hpp"
+#include "linkwright/mechanism/linkage_type.hpp"
 #include "linkwright/region/added_measures.hpp"
 #include "linkwright/region/linkage_family.hpp"
 

@@ -1,8 +1,8 @@
 #include "linkwright/infinitesimal/instant_analysis.hpp"
 
-#include "linkwright/analysis/position.hpp"
 #include "linkwright/core/tolerance.hpp"
 #include "linkwright/infinitesimal/line_contact.hpp"
+#include "linkwright/mechanism/position.hpp"
 #include "special_configuration.hpp"
 
 namespace linkwright {

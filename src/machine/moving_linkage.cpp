@@ -3,12 +3,12 @@
 #include <algorithm>
 #include <cmath>
 
-#include "linkwright/analysis/drive_table.hpp"
-#include "linkwright/analysis/six_bar_motion.hpp"
 #include "linkwright/core/angle.hpp"
 #include "linkwright/files/csv_table.hpp"
 #include "linkwright/files/length_unit.hpp"
-#include "linkwright/spherical/spherical_analysis.hpp"
+#include "linkwright/mechanism/drive_table.hpp"
+#include "linkwright/mechanism/six_bar_motion.hpp"
+#include "linkwright/mechanism/spherical_analysis.hpp"
 #include "machine/task_stretch.hpp"
 
 namespace linkwright {

@@ -2,7 +2,7 @@
 
 // The rows of a region, for one pack width. Included by the kernel_*.cpp files, one for each instruction set.
 
-#include "analysis/pair_verdict.hpp"
+#include "mechanism/pair_verdict.hpp"
 #include "planar/four_bar_kernel.hpp"
 
 namespace linkwright::LINKWRIGHT_ISA {

@@ -5,10 +5,10 @@
 #include <optional>
 
 #include "linkwright/algebra/homogeneous.hpp"
-#include "linkwright/analysis/driver_sequence.hpp"
 #include "linkwright/core/parallel.hpp"
 #include "linkwright/core/precondition.hpp"
 #include "linkwright/core/tolerance.hpp"
+#include "linkwright/mechanism/driver_sequence.hpp"
 #include "planar/four_bar_kernel.hpp"
 #include "region/pair_map.hpp"
 
@@ -102,8 +102,8 @@ DyadAxis::DyadAxis(std::vector<Dyad> samples, std::span<const PrescribedPose> po
     }
     if (role == Role::driven) continue;
     const DriverSequence order = driver_sequence(*center, *circle, poses, respect_direction);
-    admissible_directions[i] = sense_bits(order.ccw, order.cw);
-    at_least_half_turn[i] = sense_bits(order.is_at_least_half_turn_ccw(), order.is_at_least_half_turn_cw());
+    admissible_directions[i] = order.senses();
+    at_least_half_turn[i] = order.half_turn_senses();
     sweep_ccw[i] = static_cast<float>(order.sweep_ccw);
   }
 }

@@ -3,9 +3,9 @@
 #include <algorithm>
 #include <cmath>
 
-#include "linkwright/analysis/drive_through.hpp"
-#include "linkwright/analysis/pose_visits.hpp"
 #include "linkwright/core/tolerance.hpp"
+#include "linkwright/mechanism/drive_through.hpp"
+#include "linkwright/mechanism/pose_visits.hpp"
 #include "planar/length_check.hpp"
 
 namespace linkwright {

@@ -3,8 +3,8 @@
 #include <functional>
 #include <vector>
 
-#include "analysis/six_bar_judge.hpp"
 #include "linkwright/planar/six_bar_solution.hpp"
+#include "mechanism/six_bar_judge.hpp"
 
 namespace linkwright {
 

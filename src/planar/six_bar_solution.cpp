@@ -4,9 +4,9 @@
 #include <cmath>
 #include <limits>
 
-#include "linkwright/analysis/six_bar_check.hpp"
 #include "linkwright/core/angle.hpp"
 #include "linkwright/core/tolerance.hpp"
+#include "linkwright/mechanism/six_bar_check.hpp"
 #include "linkwright/planar/four_bar_map.hpp"
 #include "linkwright/region/cell_judge.hpp"
 #include "planar/six_bar_rater.hpp"

@@ -2,7 +2,7 @@
 
 #include <algorithm>
 
-#include "linkwright/analysis/defects.hpp"
+#include "linkwright/mechanism/defects.hpp"
 #include "linkwright/region/axis_arcs.hpp"
 
 namespace linkwright {

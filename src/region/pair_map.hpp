@@ -14,10 +14,6 @@
 // sample, `admissible_directions` and `sweep_ccw`.
 namespace linkwright {
 
-[[nodiscard]] inline std::uint8_t sense_bits(bool ccw, bool cw) {
-  return static_cast<std::uint8_t>((ccw ? DriverTravel::ccw : 0) | (cw ? DriverTravel::cw : 0));
-}
-
 template <class Axis>
 [[nodiscard]] DriverTravel driver_travel(const Axis& axis, std::size_t sample) {
   return {axis.admissible_directions[sample], axis.sweep_ccw[sample]};

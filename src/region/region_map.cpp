@@ -7,10 +7,10 @@
 #include <new>
 #include <sys/mman.h>
 
-#include "linkwright/analysis/driver_sequence.hpp"
 #include "linkwright/core/angle.hpp"
 #include "linkwright/core/parallel.hpp"
 #include "linkwright/core/precondition.hpp"
+#include "linkwright/mechanism/driver_sequence.hpp"
 
 #ifdef __linux__
 #endif

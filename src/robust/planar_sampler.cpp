@@ -1,7 +1,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "linkwright/analysis/position.hpp"
+#include "linkwright/mechanism/position.hpp"
 #include "robust/block_sampler.hpp"
 
 namespace linkwright {

@@ -5,7 +5,7 @@
 #include <optional>
 #include <utility>
 
-#include "linkwright/analysis/position.hpp"
+#include "linkwright/mechanism/position.hpp"
 #include "linkwright/robust/tolerance_sampling.hpp"
 #include "robust/six_bar_solver.hpp"
 #include "robust/tangent.hpp"

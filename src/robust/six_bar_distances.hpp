@@ -5,8 +5,8 @@
 #include <vector>
 
 #include "algebra/dense.hpp"
-#include "linkwright/analysis/six_bar_position.hpp"
 #include "linkwright/mechanism/six_bar.hpp"
+#include "linkwright/mechanism/six_bar_position.hpp"
 #include "linkwright/robust/made_dimension.hpp"
 
 namespace linkwright {

@@ -1,7 +1,7 @@
-#include "linkwright/spherical/spherical_analysis.hpp"
+#include "linkwright/mechanism/spherical_analysis.hpp"
+#include "mechanism/spherical_travel.hpp"
 #include "solve/kinds.hpp"
 #include "spherical/spherical_function_family.hpp"
-#include "spherical/spherical_travel.hpp"
 
 namespace linkwright {
 namespace {

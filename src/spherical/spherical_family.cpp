@@ -6,7 +6,7 @@
 #include <utility>
 
 #include "linkwright/core/angle.hpp"
-#include "linkwright/spherical/spherical_defects.hpp"
+#include "linkwright/mechanism/spherical_defects.hpp"
 #include "spherical/spherical_cells.hpp"
 
 namespace linkwright {

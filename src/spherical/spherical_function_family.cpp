@@ -4,7 +4,7 @@
 #include <utility>
 
 #include "linkwright/core/angle.hpp"
-#include "linkwright/spherical/spherical_defects.hpp"
+#include "linkwright/mechanism/spherical_defects.hpp"
 #include "spherical_function_linkage.hpp"
 
 namespace linkwright {

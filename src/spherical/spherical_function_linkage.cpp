@@ -4,7 +4,7 @@
 #include <cmath>
 
 #include "algebra/binary_form.hpp"
-#include "linkwright/spherical/spherical_position.hpp"
+#include "linkwright/mechanism/spherical_position.hpp"
 
 namespace linkwright {
 namespace {

@@ -3,8 +3,8 @@
 // The rows of a region of spherical four-bars, for one pack width. Included by the kernel_*.cpp files, one for each
 // instruction set.
 
+#include "mechanism/spherical_verdict.hpp"
 #include "spherical/spherical_kernel.hpp"
-#include "spherical/spherical_verdict.hpp"
 
 namespace linkwright::LINKWRIGHT_ISA {
 

@@ -6,7 +6,7 @@
 #include "linkwright/core/parallel.hpp"
 #include "linkwright/core/precondition.hpp"
 #include "linkwright/core/tolerance.hpp"
-#include "linkwright/spherical/spherical_defects.hpp"
+#include "linkwright/mechanism/spherical_defects.hpp"
 #include "region/pair_map.hpp"
 #include "spherical/spherical_kernel.hpp"
 
@@ -98,8 +98,8 @@ void SphericalAxis::put(std::size_t at, const SphericalDyad& dyad, std::span<con
 }
 
 void SphericalAxis::put(std::size_t at, const DriverSequence& order) {
-  admissible_directions[at] = sense_bits(order.ccw, order.cw);
-  at_least_half_turn[at] = sense_bits(order.is_at_least_half_turn_ccw(), order.is_at_least_half_turn_cw());
+  admissible_directions[at] = order.senses();
+  at_least_half_turn[at] = order.half_turn_senses();
   sweep_ccw[at] = static_cast<float>(order.sweep_ccw);
 }
 

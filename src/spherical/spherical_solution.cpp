@@ -4,8 +4,8 @@
 #include <cmath>
 
 #include "linkwright/core/tolerance.hpp"
-#include "linkwright/spherical/spherical_defects.hpp"
-#include "linkwright/spherical/spherical_position.hpp"
+#include "linkwright/mechanism/spherical_defects.hpp"
+#include "linkwright/mechanism/spherical_position.hpp"
 
 namespace linkwright {
 namespace {

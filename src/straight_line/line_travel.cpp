@@ -3,10 +3,10 @@
 #include <algorithm>
 #include <cmath>
 
-#include "analysis/transmission_angle.hpp"
 #include "linkwright/core/angle.hpp"
 #include "linkwright/straight_line/mixed_contacts.hpp"
 #include "linkwright/straight_line/straight_path.hpp"
+#include "mechanism/transmission_angle.hpp"
 
 namespace linkwright {
 namespace {

@@ -3,8 +3,8 @@
 #include <optional>
 #include <vector>
 
-#include "linkwright/analysis/defects.hpp"
-#include "linkwright/analysis/travel.hpp"
+#include "linkwright/mechanism/defects.hpp"
+#include "linkwright/mechanism/travel.hpp"
 #include "linkwright/straight_line/straight_line_family.hpp"
 #include "linkwright/straight_line/straight_line_solution.hpp"
 

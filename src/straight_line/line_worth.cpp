@@ -1,6 +1,6 @@
 #include "linkwright/straight_line/line_worth.hpp"
 
-#include "linkwright/analysis/linkage_type.hpp"
+#include "linkwright/mechanism/linkage_type.hpp"
 #include "linkwright/planar/four_bar_family.hpp"
 
 namespace linkwright {

@@ -3,9 +3,9 @@
 #include <algorithm>
 #include <cmath>
 
-#include "linkwright/analysis/coupler_curve.hpp"
-#include "linkwright/analysis/drive_through.hpp"
-#include "linkwright/analysis/position.hpp"
+#include "linkwright/mechanism/coupler_curve.hpp"
+#include "linkwright/mechanism/drive_through.hpp"
+#include "linkwright/mechanism/position.hpp"
 #include "linkwright/region/cell_judge.hpp"
 
 namespace linkwright {

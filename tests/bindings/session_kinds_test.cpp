@@ -6,11 +6,11 @@
 #include <nlohmann/json.hpp>
 #include <span>
 
-#include "analysis/transmission_angle.hpp"
 #include "linkwright/core/angle.hpp"
 #include "linkwright/files/problem_file.hpp"
 #include "linkwright/files/six_bar_file.hpp"
 #include "linkwright/synthesis/solve.hpp"
+#include "mechanism/transmission_angle.hpp"
 #include "session.hpp"
 
 namespace linkwright::wasm::session_kinds_test {

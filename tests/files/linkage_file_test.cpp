@@ -5,8 +5,8 @@
 #include <gtest/gtest.h>
 #include <random>
 
-#include "linkwright/analysis/position.hpp"
 #include "linkwright/files/result_file.hpp"
+#include "linkwright/mechanism/position.hpp"
 #include "support/file_support.hpp"
 
 namespace linkwright::linkage_file_test {

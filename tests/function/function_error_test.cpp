@@ -6,8 +6,8 @@
 #include <gtest/gtest.h>
 #include <nlohmann/json.hpp>
 
-#include "linkwright/analysis/defects.hpp"
 #include "linkwright/core/angle.hpp"
+#include "linkwright/mechanism/defects.hpp"
 #include "linkwright/planar/burmester_curve.hpp"
 #include "planar/function_couplers.hpp"
 #include "planar/function_linkage.hpp"

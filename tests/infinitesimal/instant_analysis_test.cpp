@@ -2,8 +2,8 @@
 
 #include <gtest/gtest.h>
 
-#include "linkwright/analysis/position.hpp"
 #include "linkwright/core/angle.hpp"
+#include "linkwright/mechanism/position.hpp"
 #include "support/straight_line_cases.hpp"
 
 namespace linkwright::instant_analysis_test {

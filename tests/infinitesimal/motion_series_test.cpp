@@ -2,8 +2,8 @@
 
 #include <gtest/gtest.h>
 
-#include "linkwright/analysis/position.hpp"
 #include "linkwright/core/angle.hpp"
+#include "linkwright/mechanism/position.hpp"
 
 namespace linkwright::motion_series_test {
 namespace {

@@ -2,9 +2,9 @@
 #include <gtest/gtest.h>
 #include <random>
 
-#include "linkwright/analysis/defects.hpp"
 #include "linkwright/core/angle.hpp"
-#include "linkwright/spherical/spherical_defects.hpp"
+#include "linkwright/mechanism/defects.hpp"
+#include "linkwright/mechanism/spherical_defects.hpp"
 #include "planar/function_linkage.hpp"
 #include "spherical/spherical_function_family.hpp"
 #include "spherical/spherical_function_linkage.hpp"

@@ -7,11 +7,11 @@
 
 #include "linkwright/attitude/rotation_vector.hpp"
 #include "linkwright/core/angle.hpp"
+#include "linkwright/mechanism/spherical_defects.hpp"
+#include "linkwright/mechanism/spherical_position.hpp"
 #include "linkwright/planar/burmester_curve.hpp"
 #include "linkwright/planar/four_bar_family.hpp"
 #include "linkwright/spherical/axis_curve.hpp"
-#include "linkwright/spherical/spherical_defects.hpp"
-#include "linkwright/spherical/spherical_position.hpp"
 #include "linkwright/synthesis/solve.hpp"
 #include "support/draws.hpp"
 #include "support/random_task.hpp"

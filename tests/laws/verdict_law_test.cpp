@@ -5,9 +5,9 @@
 #include <map>
 #include <random>
 
-#include "linkwright/analysis/defects.hpp"
-#include "linkwright/analysis/drive_through.hpp"
-#include "linkwright/analysis/pose_visits.hpp"
+#include "linkwright/mechanism/defects.hpp"
+#include "linkwright/mechanism/drive_through.hpp"
+#include "linkwright/mechanism/pose_visits.hpp"
 #include "linkwright/planar/burmester_curve.hpp"
 #include "support/draws.hpp"
 #include "support/random_task.hpp"

@@ -117,9 +117,9 @@ STRAIGHT_LINE_CHECK = ["tests/mutants/straight_line_check.cpp", "tests/support/s
 
 # The unit that is built, the headers it is built with, the check, what the check shares, and what is wrong in turn.
 SUBJECTS = {
-    "planar": ("src/analysis/defects.cpp", ["src/analysis/pair_verdict.hpp", "src/analysis/driver_travel.hpp"],
+    "planar": ("src/mechanism/defects.cpp", ["src/mechanism/pair_verdict.hpp", "src/mechanism/driver_travel.hpp"],
                ["tests/mutants/planar_check.cpp", "tests/support/random_four_bar.cpp"], PLANAR),
-    "spherical": ("src/spherical/spherical_defects.cpp", ["src/spherical/spherical_verdict.hpp"],
+    "spherical": ("src/mechanism/spherical_defects.cpp", ["src/mechanism/spherical_verdict.hpp"],
                   ["tests/mutants/spherical_check.cpp"], SPHERICAL),
     "cases of straight lines": ("src/straight_line/line_cases.cpp", [], STRAIGHT_LINE_CHECK, LINE_CASES),
     "contacts at places": ("src/straight_line/mixed_contacts.cpp", [], STRAIGHT_LINE_CHECK, CONTACTS),

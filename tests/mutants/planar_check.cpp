@@ -6,10 +6,10 @@
 #include <cstdio>
 #include <random>
 
-#include "analysis/transmission_angle.hpp"
-#include "linkwright/analysis/defects.hpp"
-#include "linkwright/analysis/drive_through.hpp"
-#include "linkwright/analysis/position.hpp"
+#include "linkwright/mechanism/defects.hpp"
+#include "linkwright/mechanism/drive_through.hpp"
+#include "linkwright/mechanism/position.hpp"
+#include "mechanism/transmission_angle.hpp"
 #include "support/random_four_bar.hpp"
 
 namespace linkwright {

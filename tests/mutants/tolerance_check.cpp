@@ -5,10 +5,10 @@
 #include <cmath>
 #include <cstdio>
 
-#include "linkwright/analysis/position.hpp"
 #include "linkwright/core/angle.hpp"
+#include "linkwright/mechanism/position.hpp"
+#include "linkwright/mechanism/spherical_position.hpp"
 #include "linkwright/robust/sensitivity.hpp"
-#include "linkwright/spherical/spherical_position.hpp"
 #include "support/random_four_bar.hpp"
 
 namespace linkwright {

@@ -9,9 +9,9 @@
 #include <nlohmann/json.hpp>
 #include <random>
 
-#include "linkwright/analysis/defects.hpp"
-#include "linkwright/analysis/position.hpp"
 #include "linkwright/core/angle.hpp"
+#include "linkwright/mechanism/defects.hpp"
+#include "linkwright/mechanism/position.hpp"
 #include "support/dyad_measures.hpp"
 #include "support/random_four_bar.hpp"
 #include "support/random_task.hpp"

@@ -6,8 +6,8 @@
 #include <gtest/gtest.h>
 #include <random>
 
-#include "linkwright/analysis/linkage_type.hpp"
 #include "linkwright/core/angle.hpp"
+#include "linkwright/mechanism/linkage_type.hpp"
 #include "linkwright/planar/burmester_curve.hpp"
 #include "planar/function_couplers.hpp"
 #include "planar/function_linkage.hpp"

@@ -6,9 +6,9 @@
 #include <gtest/gtest.h>
 #include <nlohmann/json.hpp>
 
-#include "linkwright/analysis/defects.hpp"
 #include "linkwright/core/angle.hpp"
 #include "linkwright/function/function_error.hpp"
+#include "linkwright/mechanism/defects.hpp"
 #include "planar/function_linkage.hpp"
 #include "support/random_four_bar.hpp"
 #include "support/random_function.hpp"

@@ -5,9 +5,9 @@
 #include <gtest/gtest.h>
 #include <random>
 
-#include "linkwright/analysis/defects.hpp"
 #include "linkwright/core/angle.hpp"
 #include "linkwright/function/function_error.hpp"
+#include "linkwright/mechanism/defects.hpp"
 #include "linkwright/synthesis/solve.hpp"
 #include "planar/function_linkage.hpp"
 #include "region/improved_linkage.hpp"

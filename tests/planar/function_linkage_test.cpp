@@ -3,11 +3,11 @@
 #include <cmath>
 #include <gtest/gtest.h>
 
-#include "linkwright/analysis/defects.hpp"
-#include "linkwright/analysis/drive_table.hpp"
-#include "linkwright/analysis/drive_through.hpp"
-#include "linkwright/analysis/position.hpp"
 #include "linkwright/core/angle.hpp"
+#include "linkwright/mechanism/defects.hpp"
+#include "linkwright/mechanism/drive_table.hpp"
+#include "linkwright/mechanism/drive_through.hpp"
+#include "linkwright/mechanism/position.hpp"
 #include "planar/function_couplers.hpp"
 #include "support/random_four_bar.hpp"
 #include "support/random_function.hpp"

@@ -3,9 +3,9 @@
 #include <gtest/gtest.h>
 #include <optional>
 
-#include "linkwright/analysis/defects.hpp"
 #include "linkwright/core/angle.hpp"
 #include "linkwright/function/function_error.hpp"
+#include "linkwright/mechanism/defects.hpp"
 #include "linkwright/planar/four_bar_solution.hpp"
 #include "linkwright/synthesis/solve.hpp"
 #include "planar/function_family.hpp"

@@ -5,8 +5,8 @@
 #include <gtest/gtest.h>
 #include <random>
 
-#include "linkwright/analysis/defects.hpp"
 #include "linkwright/core/angle.hpp"
+#include "linkwright/mechanism/defects.hpp"
 #include "support/circle_conditions.hpp"
 #include "support/random_task.hpp"
 

@@ -5,8 +5,8 @@
 #include <gtest/gtest.h>
 #include <nlohmann/json.hpp>
 
-#include "linkwright/analysis/six_bar_drive.hpp"
 #include "linkwright/core/angle.hpp"
+#include "linkwright/mechanism/six_bar_drive.hpp"
 #include "support/random_six_bar.hpp"
 #include "support/random_task.hpp"
 

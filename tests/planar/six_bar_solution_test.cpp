@@ -3,9 +3,9 @@
 #include <cmath>
 #include <gtest/gtest.h>
 
-#include "analysis/six_bar_judge.hpp"
 #include "linkwright/core/angle.hpp"
 #include "linkwright/planar/six_bar_task.hpp"
+#include "mechanism/six_bar_judge.hpp"
 #include "support/draws.hpp"
 #include "support/random_six_bar.hpp"
 

@@ -3,10 +3,10 @@
 #include <cmath>
 #include <gtest/gtest.h>
 
-#include "linkwright/analysis/position.hpp"
 #include "linkwright/core/angle.hpp"
+#include "linkwright/mechanism/position.hpp"
+#include "linkwright/mechanism/spherical_position.hpp"
 #include "linkwright/robust/tolerance_sampling.hpp"
-#include "linkwright/spherical/spherical_position.hpp"
 #include "support/random_four_bar.hpp"
 #include "support/random_six_bar.hpp"
 

@@ -2,9 +2,9 @@
 
 #include <gtest/gtest.h>
 
-#include "linkwright/analysis/position.hpp"
 #include "linkwright/core/angle.hpp"
-#include "linkwright/spherical/spherical_position.hpp"
+#include "linkwright/mechanism/position.hpp"
+#include "linkwright/mechanism/spherical_position.hpp"
 #include "support/central_difference.hpp"
 #include "support/draws.hpp"
 #include "support/random_four_bar.hpp"

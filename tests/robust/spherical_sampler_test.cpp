@@ -3,9 +3,9 @@
 #include <random>
 
 #include "linkwright/core/angle.hpp"
+#include "linkwright/mechanism/spherical_position.hpp"
 #include "linkwright/robust/tolerance_report.hpp"
 #include "linkwright/robust/tolerance_sampling.hpp"
-#include "linkwright/spherical/spherical_position.hpp"
 #include "robust/tolerance_error.hpp"
 #include "support/draws.hpp"
 

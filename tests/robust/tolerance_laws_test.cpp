@@ -3,8 +3,8 @@
 #include <cmath>
 #include <gtest/gtest.h>
 
+#include "linkwright/mechanism/spherical_position.hpp"
 #include "linkwright/robust/tolerance_report.hpp"
-#include "linkwright/spherical/spherical_position.hpp"
 #include "support/random_six_bar.hpp"
 #include "support/robust_cases.hpp"
 

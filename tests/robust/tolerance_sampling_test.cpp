@@ -5,8 +5,8 @@
 #include <random>
 
 #define LINKWRIGHT_ISA isa_sampling_test
-#include "linkwright/analysis/position.hpp"
 #include "linkwright/core/angle.hpp"
+#include "linkwright/mechanism/position.hpp"
 #include "robust/draw_lanes.hpp"
 #include "robust/tolerance_error.hpp"
 #include "straight_line/symmetric_lambda.hpp"

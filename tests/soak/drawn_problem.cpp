@@ -2,7 +2,7 @@
 
 #include "drawn_task.hpp"
 #include "drawn_tolerances.hpp"
-#include "linkwright/analysis/linkage_type.hpp"
+#include "linkwright/mechanism/linkage_type.hpp"
 
 namespace linkwright::soak {
 namespace {

@@ -4,7 +4,7 @@
 #include <random>
 
 #include "linkwright/core/angle.hpp"
-#include "linkwright/spherical/spherical_position.hpp"
+#include "linkwright/mechanism/spherical_position.hpp"
 #include "support/attitude_case.hpp"
 #include "support/spherical_case.hpp"
 

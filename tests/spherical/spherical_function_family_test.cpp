@@ -6,7 +6,7 @@
 #include <random>
 
 #include "linkwright/core/angle.hpp"
-#include "linkwright/spherical/spherical_defects.hpp"
+#include "linkwright/mechanism/spherical_defects.hpp"
 #include "linkwright/spherical/spherical_solution.hpp"
 #include "spherical/spherical_function_linkage.hpp"
 #include "support/random_function.hpp"

@@ -5,8 +5,8 @@
 #include <random>
 
 #include "linkwright/core/angle.hpp"
+#include "linkwright/mechanism/spherical_position.hpp"
 #include "linkwright/spherical/spherical_function_task.hpp"
-#include "linkwright/spherical/spherical_position.hpp"
 #include "spherical/spherical_couplers.hpp"
 #include "support/random_function.hpp"
 #include "support/random_task.hpp"

@@ -6,8 +6,8 @@
 #include <random>
 
 #include "linkwright/core/angle.hpp"
+#include "linkwright/mechanism/spherical_defects.hpp"
 #include "linkwright/spherical/axis_curve.hpp"
-#include "linkwright/spherical/spherical_defects.hpp"
 #include "linkwright/spherical/spherical_family.hpp"
 #include "support/spherical_case.hpp"
 

@@ -3,7 +3,7 @@
 #include <gtest/gtest.h>
 
 #include "linkwright/core/angle.hpp"
-#include "linkwright/spherical/spherical_defects.hpp"
+#include "linkwright/mechanism/spherical_defects.hpp"
 #include "support/spherical_case.hpp"
 
 namespace linkwright::spherical_solution_test {

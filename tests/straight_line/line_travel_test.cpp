@@ -3,9 +3,9 @@
 #include <cmath>
 #include <gtest/gtest.h>
 
-#include "analysis/transmission_angle.hpp"
 #include "linkwright/core/angle.hpp"
 #include "linkwright/synthesis/answer.hpp"
+#include "mechanism/transmission_angle.hpp"
 #include "support/file_support.hpp"
 
 namespace linkwright::line_travel_test {

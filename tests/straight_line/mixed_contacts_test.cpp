@@ -5,11 +5,11 @@
 #include <gtest/gtest.h>
 #include <nlohmann/json.hpp>
 
-#include "linkwright/analysis/defects.hpp"
-#include "linkwright/analysis/drive_through.hpp"
 #include "linkwright/core/angle.hpp"
 #include "linkwright/core/tolerance.hpp"
 #include "linkwright/infinitesimal/line_contact.hpp"
+#include "linkwright/mechanism/defects.hpp"
+#include "linkwright/mechanism/drive_through.hpp"
 #include "linkwright/straight_line/straight_path.hpp"
 #include "support/draws.hpp"
 #include "support/random_four_bar.hpp"

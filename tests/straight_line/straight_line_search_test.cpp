@@ -8,8 +8,8 @@
 #include <string>
 #include <vector>
 
-#include "linkwright/analysis/position.hpp"
 #include "linkwright/core/angle.hpp"
+#include "linkwright/mechanism/position.hpp"
 #include "support/draws.hpp"
 
 namespace linkwright {

@@ -4,9 +4,9 @@
 #include <random>
 #include <vector>
 
-#include "linkwright/analysis/position.hpp"
 #include "linkwright/mechanism/four_bar.hpp"
 #include "linkwright/mechanism/pose.hpp"
+#include "linkwright/mechanism/position.hpp"
 
 namespace linkwright::testing {
 

@@ -2,7 +2,7 @@
 
 #include <fstream>
 
-#include "linkwright/analysis/position.hpp"
+#include "linkwright/mechanism/position.hpp"
 
 namespace linkwright::testing {
 

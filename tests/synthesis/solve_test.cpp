@@ -7,8 +7,8 @@
 #include <limits>
 #include <random>
 
-#include "analysis/transmission_angle.hpp"
 #include "linkwright/core/angle.hpp"
+#include "mechanism/transmission_angle.hpp"
 #include "support/file_support.hpp"
 #include "support/planar_case.hpp"
 #include "support/random_task.hpp"

@@ -2,8 +2,8 @@
 
 #include "bindings.hpp"
 #include "drawing/palette.hpp"
-#include "linkwright/analysis/linkage_type.hpp"
 #include "linkwright/files/label.hpp"
+#include "linkwright/mechanism/linkage_type.hpp"
 
 namespace linkwright::python {
 namespace {

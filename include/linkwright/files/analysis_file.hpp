@@ -2,9 +2,9 @@
 
 #include <string>
 
-#include "linkwright/analysis/four_bar_analysis.hpp"
 #include "linkwright/files/instant_file.hpp"
 #include "linkwright/files/linkage_file.hpp"
+#include "linkwright/mechanism/four_bar_analysis.hpp"
 
 namespace linkwright {
 

@@ -3,9 +3,9 @@
 #include <string>
 #include <vector>
 
-#include "linkwright/analysis/task_cycle.hpp"
 #include "linkwright/files/linkage_file.hpp"
 #include "linkwright/files/motion_table.hpp"
+#include "linkwright/mechanism/task_cycle.hpp"
 
 namespace linkwright {
 

@@ -6,9 +6,9 @@
 
 #include "linkwright/algebra/circular_cubic.hpp"
 #include "linkwright/algebra/cubic_cone.hpp"
-#include "linkwright/analysis/defects.hpp"
-#include "linkwright/analysis/linkage_type.hpp"
-#include "linkwright/analysis/position.hpp"
+#include "linkwright/mechanism/defects.hpp"
+#include "linkwright/mechanism/linkage_type.hpp"
+#include "linkwright/mechanism/position.hpp"
 #include "linkwright/mechanism/six_bar.hpp"
 
 namespace linkwright {

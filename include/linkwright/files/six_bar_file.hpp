@@ -6,14 +6,14 @@
 #include <variant>
 #include <vector>
 
-#include "linkwright/analysis/linkage_type.hpp"
-#include "linkwright/analysis/six_bar_motion.hpp"
 #include "linkwright/core/result.hpp"
 #include "linkwright/files/linkage_file.hpp"
 #include "linkwright/files/motion_table.hpp"
 #include "linkwright/files/spherical_file.hpp"
+#include "linkwright/mechanism/linkage_type.hpp"
 #include "linkwright/mechanism/pose.hpp"
 #include "linkwright/mechanism/six_bar.hpp"
+#include "linkwright/mechanism/six_bar_motion.hpp"
 #include "linkwright/planar/six_bar_solution.hpp"
 #include "linkwright/synthesis/answer.hpp"
 #include "linkwright/synthesis/solve.hpp"

@@ -6,8 +6,8 @@
 
 #include "linkwright/files/motion_table.hpp"
 #include "linkwright/mechanism/pose.hpp"
+#include "linkwright/mechanism/spherical_analysis.hpp"
 #include "linkwright/mechanism/spherical_four_bar.hpp"
-#include "linkwright/spherical/spherical_analysis.hpp"
 
 namespace linkwright {
 

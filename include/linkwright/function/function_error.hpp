@@ -7,10 +7,10 @@
 #include <span>
 #include <vector>
 
-#include "linkwright/analysis/position.hpp"
 #include "linkwright/function/generated_function.hpp"
 #include "linkwright/function/named_function.hpp"
 #include "linkwright/function/wanted_function.hpp"
+#include "linkwright/mechanism/position.hpp"
 #include "linkwright/region/map_axis.hpp"
 #include "linkwright/region/region_map.hpp"
 

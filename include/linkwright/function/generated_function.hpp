@@ -4,8 +4,8 @@
 #include <optional>
 #include <span>
 
-#include "linkwright/analysis/position.hpp"
 #include "linkwright/function/wanted_function.hpp"
+#include "linkwright/mechanism/position.hpp"
 
 namespace linkwright {
 

@@ -2,9 +2,9 @@
 
 #include <optional>
 
-#include "linkwright/analysis/defects.hpp"
 #include "linkwright/core/result.hpp"
 #include "linkwright/function/function_error.hpp"
+#include "linkwright/mechanism/defects.hpp"
 #include "linkwright/mechanism/four_bar.hpp"
 #include "linkwright/planar/four_bar_family.hpp"
 #include "linkwright/planar/task_family.hpp"

@@ -5,10 +5,10 @@
 #include <span>
 #include <vector>
 
-#include "linkwright/analysis/pose_error.hpp"
 #include "linkwright/core/angle.hpp"
 #include "linkwright/core/progress.hpp"
 #include "linkwright/core/result.hpp"
+#include "linkwright/mechanism/pose_error.hpp"
 #include "linkwright/planar/four_bar_solution.hpp"
 #include "linkwright/planar/motion_task.hpp"
 #include "linkwright/region/region_map.hpp"

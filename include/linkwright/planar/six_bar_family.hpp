@@ -7,10 +7,10 @@
 #include <utility>
 #include <vector>
 
-#include "linkwright/analysis/linkage_output.hpp"
-#include "linkwright/analysis/six_bar_position.hpp"
 #include "linkwright/mechanism/four_bar.hpp"
+#include "linkwright/mechanism/linkage_output.hpp"
 #include "linkwright/mechanism/six_bar.hpp"
+#include "linkwright/mechanism/six_bar_position.hpp"
 #include "linkwright/planar/burmester_curve.hpp"
 #include "linkwright/planar/pose_conditions.hpp"
 #include "linkwright/planar/six_bar_task.hpp"

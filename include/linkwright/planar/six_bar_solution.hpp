@@ -5,12 +5,12 @@
 #include <span>
 #include <vector>
 
-#include "linkwright/analysis/linkage_type.hpp"
-#include "linkwright/analysis/six_bar_drive.hpp"
-#include "linkwright/analysis/six_bar_motion.hpp"
 #include "linkwright/core/simd.hpp"
+#include "linkwright/mechanism/linkage_type.hpp"
 #include "linkwright/mechanism/pose.hpp"
 #include "linkwright/mechanism/six_bar.hpp"
+#include "linkwright/mechanism/six_bar_drive.hpp"
+#include "linkwright/mechanism/six_bar_motion.hpp"
 #include "linkwright/planar/six_bar_family.hpp"
 #include "linkwright/planar/six_bar_task.hpp"
 #include "linkwright/region/best_cells.hpp"

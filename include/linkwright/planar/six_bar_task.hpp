@@ -6,8 +6,8 @@
 #include <span>
 #include <vector>
 
-#include "linkwright/analysis/linkage_output.hpp"
 #include "linkwright/core/result.hpp"
+#include "linkwright/mechanism/linkage_output.hpp"
 #include "linkwright/mechanism/pose.hpp"
 #include "linkwright/mechanism/six_bar.hpp"
 #include "linkwright/planar/body_points.hpp"

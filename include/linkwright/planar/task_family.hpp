@@ -5,9 +5,9 @@
 #include <string>
 #include <vector>
 
-#include "linkwright/analysis/pose_error.hpp"
 #include "linkwright/core/progress.hpp"
 #include "linkwright/core/result.hpp"
+#include "linkwright/mechanism/pose_error.hpp"
 #include "linkwright/planar/burmester_curve.hpp"
 #include "linkwright/planar/burmester_points.hpp"
 #include "linkwright/planar/four_bar_family.hpp"

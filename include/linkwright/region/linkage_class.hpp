@@ -4,8 +4,8 @@
 #include <span>
 #include <vector>
 
-#include "linkwright/analysis/linkage_type.hpp"
 #include "linkwright/core/result.hpp"
+#include "linkwright/mechanism/linkage_type.hpp"
 #include "linkwright/region/criterion.hpp"
 #include "linkwright/region/objective.hpp"
 #include "linkwright/region/requirements.hpp"

@@ -9,8 +9,8 @@
 #include <vector>
 
 #include "linkwright/algebra/vector3.hpp"
-#include "linkwright/analysis/linkage_output.hpp"
 #include "linkwright/core/progress.hpp"
+#include "linkwright/mechanism/linkage_output.hpp"
 #include "linkwright/region/linkage_class.hpp"
 #include "linkwright/region/map_axis.hpp"
 #include "linkwright/region/pivot_windows.hpp"

@@ -10,10 +10,11 @@
 #include <vector>
 
 #include "linkwright/algebra/vector3.hpp"
-#include "linkwright/analysis/defects.hpp"
-#include "linkwright/analysis/linkage_type.hpp"
 #include "linkwright/core/progress.hpp"
 #include "linkwright/core/simd.hpp"
+#include "linkwright/mechanism/defects.hpp"
+#include "linkwright/mechanism/driver_sequence.hpp"
+#include "linkwright/mechanism/linkage_type.hpp"
 #include "linkwright/region/cell_measure.hpp"
 #include "linkwright/region/measure.hpp"
 
@@ -69,7 +70,7 @@ struct GroundedLinkPivots {
 
 /// How the driving link of a row passes the positions.
 struct DriverTravel {
-  static constexpr std::uint8_t ccw = 1, cw = 2;
+  static constexpr std::uint8_t ccw = DriverSequence::ccw_bit, cw = DriverSequence::cw_bit;
 
   std::uint8_t admissible_directions = 0;  ///< in which it meets them in order: bits ccw and cw
   float sweep_ccw = 0;  ///< from the first to the last turning counter-clockwise, radians in [0, 2π)

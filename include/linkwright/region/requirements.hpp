@@ -8,10 +8,10 @@
 #include <vector>
 
 #include "linkwright/algebra/vector3.hpp"
-#include "linkwright/analysis/linkage_type.hpp"
 #include "linkwright/core/angle.hpp"
 #include "linkwright/core/result.hpp"
 #include "linkwright/core/tolerance.hpp"
+#include "linkwright/mechanism/linkage_type.hpp"
 
 namespace linkwright {
 

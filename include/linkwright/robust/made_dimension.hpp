@@ -4,7 +4,7 @@
 #include <string>
 #include <vector>
 
-#include "linkwright/analysis/linkage_output.hpp"
+#include "linkwright/mechanism/linkage_output.hpp"
 #include "linkwright/robust/sensitivity.hpp"
 #include "linkwright/robust/tolerances.hpp"
 

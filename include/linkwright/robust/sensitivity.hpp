@@ -7,8 +7,8 @@
 #include <vector>
 
 #include "linkwright/algebra/vector3.hpp"
-#include "linkwright/analysis/linkage_output.hpp"
 #include "linkwright/mechanism/four_bar.hpp"
+#include "linkwright/mechanism/linkage_output.hpp"
 #include "linkwright/mechanism/spherical_four_bar.hpp"
 #include "linkwright/robust/tolerances.hpp"
 

@@ -7,7 +7,7 @@
 #include <string_view>
 #include <vector>
 
-#include "linkwright/analysis/travel.hpp"
+#include "linkwright/mechanism/travel.hpp"
 #include "linkwright/planar/burmester_curve.hpp"
 #include "linkwright/planar/display_order.hpp"
 #include "linkwright/region/ridge.hpp"

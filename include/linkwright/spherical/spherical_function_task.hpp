@@ -4,9 +4,9 @@
 #include <vector>
 
 #include "linkwright/algebra/vector3.hpp"
-#include "linkwright/analysis/linkage_output.hpp"
 #include "linkwright/core/result.hpp"
 #include "linkwright/function/wanted_function.hpp"
+#include "linkwright/mechanism/linkage_output.hpp"
 #include "linkwright/region/linkage_class.hpp"
 
 namespace linkwright {

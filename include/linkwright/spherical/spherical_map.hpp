@@ -6,7 +6,7 @@
 #include <span>
 #include <vector>
 
-#include "linkwright/analysis/driver_sequence.hpp"
+#include "linkwright/mechanism/driver_sequence.hpp"
 #include "linkwright/mechanism/pose.hpp"
 #include "linkwright/mechanism/spherical_four_bar.hpp"
 #include "linkwright/region/region_map.hpp"

@@ -4,8 +4,8 @@
 #include <optional>
 #include <vector>
 
-#include "linkwright/analysis/linkage_output.hpp"
 #include "linkwright/core/result.hpp"
+#include "linkwright/mechanism/linkage_output.hpp"
 #include "linkwright/mechanism/pose.hpp"
 #include "linkwright/region/linkage_class.hpp"
 

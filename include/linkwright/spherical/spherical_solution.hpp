@@ -2,8 +2,8 @@
 
 #include <optional>
 
-#include "linkwright/analysis/defects.hpp"
 #include "linkwright/function/function_error.hpp"
+#include "linkwright/mechanism/defects.hpp"
 #include "linkwright/spherical/spherical_task_family.hpp"
 
 namespace linkwright {

@@ -6,7 +6,7 @@
 #include <string_view>
 #include <vector>
 
-#include "linkwright/analysis/defects.hpp"
+#include "linkwright/mechanism/defects.hpp"
 #include "linkwright/region/linkage_family.hpp"
 #include "linkwright/straight_line/line_design.hpp"
 #include "linkwright/straight_line/line_measuring.hpp"

@@ -4,8 +4,8 @@
 #include <optional>
 #include <vector>
 
-#include "linkwright/analysis/linkage_type.hpp"
 #include "linkwright/infinitesimal/line_contact.hpp"
+#include "linkwright/mechanism/linkage_type.hpp"
 #include "linkwright/straight_line/line_shape.hpp"
 #include "linkwright/straight_line/line_worth.hpp"
 #include "linkwright/straight_line/straight_line_family.hpp"

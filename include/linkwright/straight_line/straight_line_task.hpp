@@ -7,8 +7,8 @@
 #include <vector>
 
 #include "linkwright/algebra/directed_line.hpp"
-#include "linkwright/analysis/linkage_output.hpp"
 #include "linkwright/core/result.hpp"
+#include "linkwright/mechanism/linkage_output.hpp"
 #include "linkwright/region/linkage_class.hpp"
 #include "linkwright/straight_line/mixed_contacts.hpp"
 

@@ -4,8 +4,8 @@
 #include <string>
 #include <vector>
 
-#include "linkwright/analysis/linkage_output.hpp"
 #include "linkwright/core/progress.hpp"
+#include "linkwright/mechanism/linkage_output.hpp"
 #include "linkwright/region/added_measures.hpp"
 #include "linkwright/region/linkage_family.hpp"
 #include "linkwright/robust/tolerances.hpp"

@@ -4,11 +4,11 @@
 #include "drawing/straight_line/straight_line_figure.hpp"
 #include "drawing/svg_canvas.hpp"
 #include "linkage_figure.hpp"
-#include "linkwright/analysis/linkage_type.hpp"
 #include "linkwright/drawing/svg_drawing.hpp"
 #include "linkwright/files/csv_table.hpp"
 #include "linkwright/files/label.hpp"
 #include "linkwright/files/number_text.hpp"
+#include "linkwright/mechanism/linkage_type.hpp"
 
 namespace linkwright {
 namespace {

@@ -1,9 +1,9 @@
 #include <algorithm>
 
 #include "linkage_figure.hpp"
-#include "linkwright/analysis/coupler_curve.hpp"
-#include "linkwright/analysis/defects.hpp"
 #include "linkwright/files/csv_table.hpp"
+#include "linkwright/mechanism/coupler_curve.hpp"
+#include "linkwright/mechanism/defects.hpp"
 
 namespace linkwright {
 namespace {

@@ -6,11 +6,11 @@
 #include "drawing/palette.hpp"
 #include "drawing/sheet.hpp"
 #include "instant_figure.hpp"
-#include "linkwright/analysis/position.hpp"
 #include "linkwright/core/angle.hpp"
 #include "linkwright/drawing/svg_drawing.hpp"
 #include "linkwright/files/number_text.hpp"
 #include "linkwright/files/task_label.hpp"
+#include "linkwright/mechanism/position.hpp"
 
 namespace linkwright {
 namespace {

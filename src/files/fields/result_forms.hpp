@@ -5,8 +5,8 @@
 #include <vector>
 
 #include "fields/field_visitor.hpp"
-#include "linkwright/analysis/defects.hpp"
 #include "linkwright/core/angle.hpp"
+#include "linkwright/mechanism/defects.hpp"
 
 // Values that several structs of a result have.
 namespace linkwright::forms {

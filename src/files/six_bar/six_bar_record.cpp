@@ -6,7 +6,7 @@
 #include "files/fields/result_forms.hpp"
 #include "files/linkage_fields.hpp"
 #include "files/problem_fields.hpp"
-#include "linkwright/analysis/six_bar_position.hpp"
+#include "linkwright/mechanism/six_bar_position.hpp"
 
 namespace linkwright {
 namespace {

@@ -8,8 +8,8 @@
 
 #include "files/attitude/space_reader.hpp"
 #include "linkwright/core/angle.hpp"
-#include "linkwright/spherical/spherical_defects.hpp"
-#include "linkwright/spherical/spherical_position.hpp"
+#include "linkwright/mechanism/spherical_defects.hpp"
+#include "linkwright/mechanism/spherical_position.hpp"
 
 namespace linkwright {
 namespace {

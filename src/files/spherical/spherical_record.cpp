@@ -4,7 +4,7 @@
 #include "files/function/function_error_fields.hpp"
 #include "files/linkage_fields.hpp"
 #include "files/problem_fields.hpp"
-#include "linkwright/spherical/spherical_defects.hpp"
+#include "linkwright/mechanism/spherical_defects.hpp"
 
 namespace linkwright {
 namespace {

@@ -3,9 +3,9 @@
 #include <array>
 #include <limits>
 
-#include "linkwright/analysis/position.hpp"
 #include "linkwright/core/angle.hpp"
 #include "linkwright/mechanism/four_bar.hpp"
+#include "linkwright/mechanism/position.hpp"
 
 namespace linkwright {
 namespace {
