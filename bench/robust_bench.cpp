@@ -112,15 +112,15 @@ void measure_map(benchmark::State& state, const std::string& name, bool yields) 
   std::int64_t cells = 0;
   for (auto _ : state) {
     if (!yields) {
-      map.add(*found.added.tolerance_error);
+      map.add(*found.added.find(measures::tolerance_error)->measure);
       cells += static_cast<std::int64_t>(map.rows() * map.columns());
       continue;
     }
     for (std::size_t row = 0; row < map.rows(); ++row)
       for (std::size_t column = 0; column < map.columns(); ++column) {
         if (!filter.passes(row, column)) continue;
-        benchmark::DoNotOptimize(
-            found.added.yield->at({map.input_coordinates()[row], map.output_coordinates()[column]}));
+        benchmark::DoNotOptimize(found.added.find(measures::yield)
+                                     ->measure->at({map.input_coordinates()[row], map.output_coordinates()[column]}));
         ++cells;
       }
   }

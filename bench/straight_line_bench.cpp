@@ -10,13 +10,13 @@
 #include <nlohmann/json.hpp>
 
 #include "bench_task.hpp"
+#include "kinds/straight_line/straight_line_kind.hpp"
 #include "linkwright/core/angle.hpp"
 #include "linkwright/core/parallel.hpp"
 #include "linkwright/files/problem_file.hpp"
 #include "linkwright/straight_line/straight_line_search.hpp"
 #include "straight_line/line_cases.hpp"
 #include "straight_line/line_estimate.hpp"
-#include "synthesis/straight_line_answer.hpp"
 
 namespace linkwright::bench {
 namespace straight_line_bench {

@@ -32,6 +32,7 @@ RANKS = (
     ("solve",),
     ("files",),
     ("drawing",),
+    ("kinds", "analyses"),
     ("machine",),
     ("sweep",),
 )
@@ -45,6 +46,8 @@ FACES = ("apps", "bindings/python")
 CODE = ("include", "src", "apps", "bindings")
 CAST = re.compile(r"\bdynamic_(pointer_)?cast\b")
 EIGEN = "src/algebra/dense.cpp"
+# What visits tasks and answers sees all kinds, and what asks for analyses all of them, wherever it stands.
+VISITED = ("kinds/kinds.hpp", "analyses/analyses.hpp")
 INCLUDE = re.compile(r'^\s*#\s*include\s*([<"])([^>"]+)[>"]')
 
 
@@ -63,14 +66,18 @@ def private_problem(place, included):
     return None
 
 
-def order_problem(folder, included):
-    """What is wrong with `included` in a file of `folder`; None if nothing is."""
+def order_problem(folder, kind, included):
+    """What is wrong with `included` in a file of `folder` and there of a kind; None if nothing is."""
+    if included in VISITED and RANK_OF["synthesis"] <= RANK_OF[folder] < RANK_OF["kinds"]:
+        return None
     parts = included.removeprefix("linkwright/").split("/")
     if ".." in parts:
         return f'"{included}": write the path from include/ or src/, without ..'
     if len(parts) == 1:
         return None  # a neighbour in the same folder
     other = parts[0]
+    if other == folder == "kinds" and kind not in ("kinds.hpp", parts[1]):
+        return f'"{included}": a kind does not include another; what two need stands below them'
     if other not in RANK_OF:
         return f'"{included}": no folder of the library is called {other}'
     if other == folder or RANK_OF[other] < RANK_OF[folder]:
@@ -91,7 +98,7 @@ def public_header_problem(quoted, included):
 
 
 def file_violations(root, base, file):
-    folder = file.relative_to(root / base).parts[0]
+    folder, kind = file.relative_to(root / base).parts[:2]
     place = file.relative_to(root)
     if folder not in RANK_OF:
         yield f"{place}: the library has no folder {folder}; its folders and their order are in script/lint_tree.py"
@@ -99,7 +106,7 @@ def file_violations(root, base, file):
     for number, quoted, included in includes_of(file):
         problem = public_header_problem(quoted, included) if base == PUBLIC else private_problem(place, included)
         if not problem and (quoted or included.startswith("linkwright/")):
-            problem = order_problem(folder, included)
+            problem = order_problem(folder, kind, included)
         if problem:
             yield f"{place}:{number}: {problem}"
 
@@ -163,6 +170,10 @@ def self_test():
         ({"src/region/a.cpp": "#include <linkwright/planar/b.hpp>\n"}, ["region may not include planar"]),
         ({"src/planar/a.cpp": '#include "spherical/b.hpp"\n'}, ["planar may not include spherical, which stands beside"]),
         ({"src/core/a.cpp": '// #include "files/b.hpp"\n'}, []),
+        ({"src/files/a.cpp": '#include "kinds/kinds.hpp"\n'}, []),
+        ({"src/planar/a.cpp": '#include "kinds/kinds.hpp"\n'}, ["planar may not include kinds"]),
+        ({"src/kinds/kinds.hpp": '#include "kinds/six_bar/a.hpp"\n', "src/kinds/six_bar/a.hpp": '#include "files/b.hpp"\n'}, []),
+        ({"src/kinds/six_bar/a.cpp": '#include "kinds/spherical/b.hpp"\n'}, ["a kind does not include another"]),
         ({"src/core/a.cpp": "\nauto* b = dynamic_cast<B*>(a);\n"}, ["src/core/a.cpp:2: no cast"]),
         ({"src/core/a.cpp": '#include "../files/b.hpp"\n'}, ["without .."]),
         ({"src/core/a.cpp": '#include "apps/b.hpp"\n'}, ["no folder of the library is called apps"]),

@@ -1,8 +1,6 @@
 #include "commands.hpp"
-#include "linkwright/drawing/tolerance_drawing.hpp"
-#include "linkwright/files/listed_study.hpp"
+#include "linkwright/analyses/tolerance_study.hpp"
 #include "linkwright/files/result_file.hpp"
-#include "linkwright/files/tolerance_file.hpp"
 #include "report.hpp"
 
 namespace linkwright::cli {

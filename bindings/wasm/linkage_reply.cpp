@@ -1,9 +1,9 @@
 #include <array>
 
 #include "files/fields/field_writer.hpp"
-#include "files/four_bar/four_bar_record.hpp"
 #include "files/linkage_fields.hpp"
-#include "files/spherical/spherical_record.hpp"
+#include "kinds/four_bar/four_bar_record.hpp"
+#include "kinds/spherical/spherical_record.hpp"
 #include "linkwright/core/angle.hpp"
 #include "planar/function_family.hpp"
 #include "replies.hpp"

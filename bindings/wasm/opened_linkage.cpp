@@ -4,16 +4,16 @@
 #include <span>
 
 #include "files/fields/field_writer.hpp"
-#include "files/four_bar/four_bar_record.hpp"
-#include "files/six_bar/six_bar_record.hpp"
-#include "files/spherical/spherical_record.hpp"
+#include "kinds/four_bar/four_bar_record.hpp"
+#include "kinds/kinds.hpp"
+#include "kinds/six_bar/six_bar_record.hpp"
+#include "kinds/spherical/spherical_record.hpp"
 #include "linkwright/files/csv_table.hpp"
 #include "linkwright/mechanism/spherical_analysis.hpp"
 #include "linkwright/mechanism/spherical_defects.hpp"
 #include "mechanism/spherical_travel.hpp"
 #include "replies.hpp"
 #include "reply_json.hpp"
-#include "solve/kinds.hpp"
 
 namespace linkwright::wasm {
 namespace {

@@ -2,8 +2,8 @@
 #include <cmath>
 #include <cstdint>
 
+#include "analyses/tolerances/tolerance_analysis.hpp"
 #include "files/fields/field_writer.hpp"
-#include "files/tolerance_record.hpp"
 #include "linkwright/core/angle.hpp"
 #include "linkwright/robust/tolerance_report.hpp"
 #include "replies.hpp"

@@ -2,6 +2,7 @@
 
 // All that a program of yours needs of the library.
 
+#include "linkwright/analyses/tolerance_study.hpp"
 #include "linkwright/core/angle.hpp"
 #include "linkwright/core/count_text.hpp"
 #include "linkwright/core/parallel.hpp"
@@ -9,7 +10,6 @@
 #include "linkwright/core/result.hpp"
 #include "linkwright/drawing/linkage_export.hpp"
 #include "linkwright/drawing/svg_drawing.hpp"
-#include "linkwright/drawing/tolerance_drawing.hpp"
 #include "linkwright/files/analysis_file.hpp"
 #include "linkwright/files/angular_motion_file.hpp"
 #include "linkwright/files/atomic_file.hpp"
@@ -18,7 +18,6 @@
 #include "linkwright/files/label.hpp"
 #include "linkwright/files/length_unit.hpp"
 #include "linkwright/files/link_chain_file.hpp"
-#include "linkwright/files/listed_study.hpp"
 #include "linkwright/files/nearest_name.hpp"
 #include "linkwright/files/number_text.hpp"
 #include "linkwright/files/orientation_file.hpp"
@@ -30,7 +29,6 @@
 #include "linkwright/files/spherical_file.hpp"
 #include "linkwright/files/task_label.hpp"
 #include "linkwright/files/text_file.hpp"
-#include "linkwright/files/tolerance_file.hpp"
 #include "linkwright/files/twist_file.hpp"
 #include "linkwright/infinitesimal/instant_analysis.hpp"
 #include "linkwright/machine/machine.hpp"

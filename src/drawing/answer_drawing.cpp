@@ -1,4 +1,4 @@
-#include "kinds.hpp"
+#include "kinds/kinds.hpp"
 #include "linkwright/drawing/svg_drawing.hpp"
 
 namespace linkwright {

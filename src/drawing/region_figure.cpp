@@ -7,9 +7,7 @@
 #include <optional>
 
 #include "axis_ticks.hpp"
-#include "drawing/six_bar/six_bar_figure.hpp"
 #include "files/json/base64.hpp"
-#include "files/kinds.hpp"
 #include "linkwright/core/angle.hpp"
 #include "linkwright/files/label.hpp"
 #include "linkwright/files/number_text.hpp"
@@ -223,75 +221,7 @@ void draw_ribbon(SvgCanvas& svg, const DrawnRegion& region, const PixelBox& map)
   });
 }
 
-DrawnRegion region_of_four_bars(const FourBarAnswer& answer, AxisLabel input, AxisLabel output) {
-  const FourBarFamily& family = *answer.family();
-  const RegionMap& map = answer.region;
-  DrawnRegion drawn{answer,
-                    family,
-                    {std::move(input), palette::input, family.dyads(Side::input, map.input_coordinates())},
-                    {std::move(output), palette::output, family.dyads(Side::output, map.output_coordinates())},
-                    {}};
-  for (const FourBarSolution& found : answer.linkages) drawn.best.push_back(answer.point_of(found));
-  return drawn;
-}
-
-template <class KindAnswer>
-DrawnRegion region_of_spherical(const KindAnswer& answer, std::string_view length_unit) {
-  DrawnRegion drawn{answer,
-                    *answer.family(),
-                    {axis_label(answer, Side::input, length_unit), palette::input, {}},
-                    {axis_label(answer, Side::output, length_unit), palette::output, {}},
-                    {}};
-  for (const SphericalSolution& found : answer.linkages) drawn.best.push_back(answer.point_of(found));
-  return drawn;
-}
-
 }  // namespace
-
-DrawnRegion drawn_region(const MotionAnswer& answer, std::string_view length_unit) {
-  return region_of_four_bars(answer, axis_label(answer, Side::input, length_unit),
-                             axis_label(answer, Side::output, length_unit));
-}
-
-DrawnRegion drawn_region(const FunctionAnswer& answer, std::string_view length_unit) {
-  return region_of_four_bars(answer, axis_label(answer, Side::input, length_unit),
-                             axis_label(answer, Side::output, length_unit));
-}
-
-DrawnRegion drawn_region(const SixBarAnswer& answer, std::string_view length_unit) {
-  DrawnRegion drawn{answer,
-                    *answer.family(),
-                    {axis_label(answer, Side::input, length_unit), body_color(4), {}},
-                    {axis_label(answer, Side::output, length_unit), body_color(5), {}},
-                    {}};
-  for (const SixBarSolution& found : answer.linkages) drawn.best.push_back(answer.point_of(found));
-  return drawn;
-}
-
-DrawnRegion drawn_region(const SphericalMotionAnswer& answer, std::string_view length_unit) {
-  return region_of_spherical(answer, length_unit);
-}
-
-DrawnRegion drawn_region(const SphericalFunctionAnswer& answer, std::string_view length_unit) {
-  return region_of_spherical(answer, length_unit);
-}
-
-DrawnRegion drawn_region(const StraightLineAnswer& answer, std::string_view length_unit) {
-  // The layers lie one above the other, each over the whole axis.
-  const auto label_of_axis = [&](Side side) {
-    AxisLabel label = axis_label(answer, side, length_unit);
-    label.branches = answer.family()->axis(side).branches;
-    if (label.branches.size() == 1) label.branches.front().name = "range";
-    return label;
-  };
-  DrawnRegion drawn{answer,
-                    *answer.family(),
-                    {label_of_axis(Side::input), palette::input, {}},
-                    {label_of_axis(Side::output), palette::output, {}},
-                    {}};
-  for (const StraightLineSolution& found : answer.linkages) drawn.best.push_back(answer.point_of(found));
-  return drawn;
-}
 
 bool is_ribbon(const LinkageFamily* family) {
   return family && family->axis(Side::output).quantity == AxisQuantity::nothing;

@@ -2,6 +2,7 @@
 
 #include <array>
 #include <string_view>
+#include <utility>
 #include <vector>
 
 #include "files/axis_label.hpp"
@@ -26,13 +27,13 @@ struct DrawnRegion {
   std::vector<MapPoint> best;  ///< where the linkages listed lie
 };
 
-/// The answer must outlive it, and have a map.
-[[nodiscard]] DrawnRegion drawn_region(const MotionAnswer& answer, std::string_view length_unit);
-[[nodiscard]] DrawnRegion drawn_region(const FunctionAnswer& answer, std::string_view length_unit);
-[[nodiscard]] DrawnRegion drawn_region(const SixBarAnswer& answer, std::string_view length_unit);
-[[nodiscard]] DrawnRegion drawn_region(const SphericalMotionAnswer& answer, std::string_view length_unit);
-[[nodiscard]] DrawnRegion drawn_region(const SphericalFunctionAnswer& answer, std::string_view length_unit);
-[[nodiscard]] DrawnRegion drawn_region(const StraightLineAnswer& answer, std::string_view length_unit);
+/// The map of an answer between two axes. The answer must outlive it, and have a map.
+template <class KindAnswer>
+[[nodiscard]] DrawnRegion drawn_region(const KindAnswer& answer, DrawnRegion::Axis input, DrawnRegion::Axis output) {
+  DrawnRegion drawn{answer, *answer.family(), std::move(input), std::move(output), {}};
+  for (const auto& found : answer.linkages) drawn.best.push_back(answer.point_of(found));
+  return drawn;
+}
 
 /// The solution region by type: full colour where all requirements are met, washed where only a requirement fails,
 /// grey with hatching where the linkage has a defect. Up: the driving link; right: the other, or a function's free

@@ -4,7 +4,7 @@
 #include "files/fields/result_forms.hpp"
 #include "files/json/json_writer.hpp"
 #include "files/linkage_fields.hpp"
-#include "files/six_bar/six_bar_record.hpp"
+#include "kinds/kinds.hpp"
 #include "linkwright/files/linkage_file.hpp"
 #include "linkwright/files/problem_file.hpp"
 #include "linkwright/files/six_bar_file.hpp"

@@ -3,6 +3,8 @@
 #include <fmt/format.h>
 #include <nlohmann/json.hpp>
 
+#include "analyses/analyses.hpp"
+#include "kinds/kinds.hpp"
 #include "linkwright/files/number_text.hpp"
 #include "linkwright/files/problem_file.hpp"
 
@@ -91,7 +93,7 @@ void fields(FieldVisitor& v, Problem& problem) {
     to.required(Field("task").missing({"task", "the task: \"task\": {\"kind\": \"motion\", …}"}), problem.task);
     RequirementsOf requirements = {problem.requirements, linkages(problem.task)};
     to.optional("requirements", requirements);
-    to.optional("tolerances", problem.options.tolerances);
+    analysis_fields(to, problem.options);
     OptionsOf options = {problem.options, output_kind(problem.task) == OutputKind::line};
     to.optional("options", options);
     view_field(to, problem);

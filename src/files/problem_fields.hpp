@@ -23,14 +23,6 @@ struct OptionsOf {
   bool of_line;
 };
 void fields(FieldVisitor& v, OptionsOf& options);
-void fields(FieldVisitor& v, Tolerances& tolerances);
-
-void fields(FieldVisitor& v, MotionTask& task);
-void fields(FieldVisitor& v, FunctionTask& task);
-void fields(FieldVisitor& v, SixBarTask& task);
-void fields(FieldVisitor& v, SphericalMotionTask& task);
-void fields(FieldVisitor& v, SphericalFunctionTask& task);
-void fields(FieldVisitor& v, StraightLineTask& task);
 
 void fields(FieldVisitor& v, Box& box);
 void fields(FieldVisitor& v, Cone& cone);

@@ -5,7 +5,7 @@
 
 #include "files/fields/field_writer.hpp"
 #include "files/fields/result_forms.hpp"
-#include "kinds.hpp"
+#include "kinds/kinds.hpp"
 #include "linkwright/files/number_text.hpp"
 #include "linkwright/files/problem_file.hpp"
 #include "linkwright/files/result_file.hpp"
@@ -137,14 +137,14 @@ std::optional<std::vector<double>> axis_values(const KindAnswer& answer, Side si
   return values;
 }
 
-struct ShownAxis {
+struct AxisRecord {
   AxisLabel label;
   std::optional<std::vector<double>> values;
 };
 
 }  // namespace
 
-static void fields(FieldVisitor& v, const ShownAxis& axis) {
+static void fields(FieldVisitor& v, const AxisRecord& axis) {
   const Field values("values",
                      "What is read at the samples: directions, lengths, factors, angles; null where a window reaches "
                      "beyond the axis.");
@@ -196,7 +196,7 @@ void visit_counts(FieldVisitor& v, const RegionCounts& counts, const LinkageClas
 template <class KindAnswer>
 void sample_fields(FieldVisitor& v, const KindAnswer& answer, std::string_view length_unit) {
   const std::size_t layers = layer_count(answer);
-  std::array<ShownAxis, 2> axes;
+  std::array<AxisRecord, 2> axes;
   for (const Side side : {Side::input, Side::output})
     axes[static_cast<std::size_t>(side)] = {axis_label(answer, side, length_unit), axis_values(answer, side)};
   v.shown(Field("samples", "Rows; of each layer."), answer.region.rows() / layers, forms::count);

@@ -1,4 +1,4 @@
-#include "kinds.hpp"
+#include "kinds/kinds.hpp"
 #include "linkwright/files/six_bar_file.hpp"
 
 namespace linkwright {

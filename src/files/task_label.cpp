@@ -4,7 +4,7 @@
 #include <cctype>
 #include <fmt/format.h>
 
-#include "kinds.hpp"
+#include "kinds/kinds.hpp"
 
 namespace linkwright {
 

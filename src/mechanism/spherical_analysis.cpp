@@ -5,27 +5,12 @@
 
 #include "linkwright/core/angle.hpp"
 #include "linkwright/core/tolerance.hpp"
+#include "range_around.hpp"
 #include "spherical_triangle.hpp"
 #include "turn_extremes.hpp"
 
 namespace linkwright {
 namespace {
-
-// The range in which the input stands, moved by whole turns so that its angle is in it.
-AngleRange range_around(const std::vector<AngleRange>& ranges, double input_angle) {
-  AngleRange nearest{input_angle, input_angle};
-  double least = two_pi;
-  for (const AngleRange& range : ranges) {
-    const double from_low = wrap_positive(input_angle - range.from), length = range.to - range.from;
-    const double missed = std::max(0.0, std::min(from_low - length, two_pi - from_low));
-    if (missed >= least) continue;
-    least = missed;
-    const double low =
-        from_low - length > two_pi - from_low ? input_angle + (two_pi - from_low) : input_angle - from_low;
-    nearest = {low, low + length};
-  }
-  return nearest;
-}
 
 SphericalState state_at(const SphericalFourBar& bars, const SphericalConfiguration& there) {
   SphericalState state;

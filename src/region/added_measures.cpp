@@ -1,5 +1,6 @@
 #include "linkwright/region/added_measures.hpp"
 
+#include <algorithm>
 #include <cmath>
 #include <limits>
 
@@ -33,46 +34,95 @@ class AmongPassing : public CellMeasure {
 
 }  // namespace
 
-void AddedMeasures::add_to(RegionMap& map, const LinkageFamily& family, const Requirements& wanted, bool yields,
+const AddedMeasure* AddedMeasures::find(const Measure& measure) const {
+  const auto found =
+      std::find_if(all.begin(), all.end(), [&](const auto& added) { return added.measure->measure() == measure; });
+  return found == all.end() ? nullptr : &*found;
+}
+
+const AddedMeasure* AddedMeasures::sampled() const {
+  const auto found =
+      std::find_if(all.begin(), all.end(), [](const auto& added) { return added.cost == AddedMeasure::Cost::sampled; });
+  return found == all.end() ? nullptr : &*found;
+}
+
+std::vector<const Criterion*> AddedMeasures::criteria_on(const AddedMeasure& added) {
+  std::vector<const Criterion*> found;
+  for (const Criterion& criterion : criteria())
+    if (criterion.of && *criterion.of == added.measure->measure()) found.push_back(&criterion);
+  return found;
+}
+
+bool AddedMeasures::is_required(const AddedMeasure& added, const Requirements& wanted) {
+  const auto on_it = criteria_on(added);
+  return std::any_of(on_it.begin(), on_it.end(), [&](const Criterion* asked) { return asked->has_limit(wanted); });
+}
+
+bool AddedMeasures::is_asked(const AddedMeasure& added, const Requirements& wanted, Objective objective) {
+  return measure_of(objective) == added.measure->measure() || is_required(added, wanted);
+}
+
+bool AddedMeasures::are_required(const Requirements& wanted) const {
+  return std::any_of(all.begin(), all.end(), [&](const AddedMeasure& added) {
+    return added.cost != AddedMeasure::Cost::sampled && is_required(added, wanted);
+  });
+}
+
+Requirements AddedMeasures::all_else(const AddedMeasure& added, const Requirements& wanted) const {
+  Requirements left = wanted;
+  for (const AddedMeasure* later = &added; later != all.data() + all.size(); ++later)
+    for (const Criterion* criterion : criteria_on(*later)) criterion->set(left, criterion->any);
+  return left;
+}
+
+void AddedMeasures::add_to(RegionMap& map, const LinkageFamily& family, const Requirements& wanted, bool with_sampled,
                            const Progress& progress) const {
-  Requirements all_else = wanted;
-  all_else.min_yield = 0;
-  if (tolerance_error && !of_passing) map.add(*tolerance_error, progress);
-  if (tolerance_error && of_passing) {
-    Requirements but_errors = all_else;
-    but_errors.max_tolerance_error = Requirements::unlimited;
-    map.add(AmongPassing(*tolerance_error, filter_of(family, map, but_errors)), progress);
+  for (const AddedMeasure& added : all) {
+    if (added.cost == AddedMeasure::Cost::light)
+      map.add(*added.measure, progress);
+    else if (added.cost == AddedMeasure::Cost::heavy || with_sampled)
+      map.add(AmongPassing(*added.measure, filter_of(family, map, all_else(added, wanted))), progress);
   }
-  if (yield && yields) map.add(AmongPassing(*yield, filter_of(family, map, all_else)), progress);
 }
 
 std::vector<RequirementKind> AddedMeasures::failures_at(MapPoint place, const Requirements& wanted) const {
   std::vector<RequirementKind> failed;
-  if (tolerance_error && wanted.max_tolerance_error < Requirements::unlimited)
-    if (!(tolerance_error->at(place).value_or(Requirements::unlimited) <= wanted.max_tolerance_error))
-      failed.push_back(RequirementKind::max_tolerance_error);
-  if (yield && wanted.min_yield > 0 && !(yield->at(place).value_or(0) >= wanted.min_yield))
-    failed.push_back(RequirementKind::min_yield);
+  for (const AddedMeasure& added : all)
+    for (const Criterion* asked : criteria_on(added)) {
+      if (!asked->has_limit(wanted)) continue;
+      const auto measured = added.measure->at(place);
+      if (!measured || !asked->is_met_by(*measured, asked->limit(wanted))) failed.push_back(asked->kind);
+    }
   return failed;
+}
+
+std::optional<double> AddedMeasures::passing(const AddedMeasure& added, MapPoint place, const Requirements& wanted) {
+  const auto measured = added.measure->at(place);
+  if (!measured || !std::isfinite(*measured)) return std::nullopt;
+  for (const Criterion* asked : criteria_on(added)) {
+    const double better = asked->rule == Criterion::Rule::at_least ? added.margin : -added.margin;
+    if (asked->has_limit(wanted) && !asked->is_met_by(*measured, asked->limit(wanted) + better)) return std::nullopt;
+  }
+  return measured;
 }
 
 std::optional<double> AddedMeasures::score(MapPoint place, const Requirements& wanted, Objective objective,
                                            double own) const {
   constexpr double tie = 1e-9;  // less than one sample of the largest number of them
-  const bool by_yield = objective == Objective::yield, by_error = objective == Objective::tolerance_error;
-  std::optional<double> error, good;
-  if (tolerance_error && (by_error || by_yield || wanted.max_tolerance_error < Requirements::unlimited)) {
-    error = tolerance_error->at(place);
-    if (!error || !std::isfinite(*error) || *error > wanted.max_tolerance_error) return std::nullopt;
+  const AddedMeasure* by = find(measure_of(objective));
+  std::optional<double> before, last;  // what counts so far, larger being better
+  for (const AddedMeasure& added : all) {
+    const bool counts = by && &added <= by;
+    if (!counts && !is_asked(added, wanted, objective)) continue;
+    const auto measured = passing(added, place, wanted);
+    if (!measured) return std::nullopt;
+    if (!counts) continue;
+    before = last;
+    last = added.measure->measure().larger_is_better ? *measured : -*measured;
   }
-  if (yield && (by_yield || wanted.min_yield > 0)) {
-    good = yield->at(place);
-    const double least = wanted.min_yield > 0 ? wanted.min_yield + yield_margin : 0;
-    if (!good || *good < least) return std::nullopt;
-  }
-  if (by_error && error) return -*error;
-  if (by_yield && good) return *good - tie * error.value_or(0) / (1 + error.value_or(0));
-  return own;
+  if (!last) return own;
+  const double second = before.value_or(0);
+  return *last + tie * second / (1 + std::abs(second));
 }
 
 }  // namespace linkwright

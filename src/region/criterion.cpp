@@ -221,6 +221,11 @@ std::optional<double> Criterion::given(const Requirements& wanted) const {
   return std::nullopt;
 }
 
+void Criterion::set(Requirements& wanted, double limit) const {
+  if (const auto* number = std::get_if<double Requirements::*>(&asked)) wanted.** number = limit;
+  if (const auto* number = std::get_if<std::optional<double> Requirements::*>(&asked)) wanted.** number = limit;
+}
+
 double Criterion::limit(const Requirements& wanted) const { return given(wanted).value_or(any); }
 
 std::optional<PivotWindow> Criterion::window(const Requirements& wanted) const {

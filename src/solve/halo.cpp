@@ -3,11 +3,11 @@
 #include <array>
 #include <utility>
 
+#include "analyses/analyses.hpp"
+#include "kinds/kinds.hpp"
 #include "linkwright/core/parallel.hpp"
 #include "linkwright/region/region_map.hpp"
 #include "linkwright/region/requirement_filter.hpp"
-#include "linkwright/synthesis/tolerance_measures.hpp"
-#include "solve/kinds.hpp"
 
 namespace linkwright {
 namespace {
@@ -73,9 +73,9 @@ class CellCounter {
     RegionOptions one_thread;
     one_thread.threads = 1;
     family->classify(map_, samples(Side::input), samples(Side::output), wanted.respect_direction, one_thread);
-    if (known.options.tolerances && wanted.max_tolerance_error < Requirements::unlimited)
-      tolerance_measures(*family, *with_turning_length(known.options, known.characteristic_length).tolerances)
-          .add_to(map_, *family, wanted, no_yields);
+    const AddedMeasures added =
+        added_measures(*family, with_turning_length(known.options, known.characteristic_length));
+    if (added.are_required(wanted)) added.add_to(map_, *family, wanted, no_sampled);
     const RequirementFilter filter = filter_of(*family, map_, wanted);
     std::uint32_t passing = 0;
     for (std::size_t row = 0; row < map_.rows(); ++row)
@@ -83,7 +83,7 @@ class CellCounter {
     return passing;
   }
 
-  static constexpr bool no_yields = false;
+  static constexpr bool no_sampled = false;
 
   int samples_;
   RegionMap map_;

@@ -3,17 +3,17 @@
 #include <algorithm>
 #include <cmath>
 
+#include "analyses/analyses.hpp"
+#include "kinds/kinds.hpp"
 #include "linkwright/synthesis/solve.hpp"
-#include "linkwright/synthesis/tolerance_measures.hpp"
 #include "region/improved_linkage.hpp"
 #include "region/window_look.hpp"
-#include "solve/kinds.hpp"
 #include "solve/yield_map.hpp"
 
 namespace linkwright {
 namespace {
 
-constexpr bool without_yields = false;  // they come coarse to fine
+constexpr bool without_sampled = false;  // it comes coarse to fine
 
 Answer begin(const Problem& problem) {
   return std::visit([&](const auto& task) { return Answer(begin_answer(task, problem.requirements, problem.options)); },
@@ -80,8 +80,9 @@ void Session::set_tolerances(bool task_is_new) {
   if (!task_is_new && options.tolerances == tolerances_) return;
   tolerances_ = options.tolerances;
   const AddedMeasures before = std::move(added_);
-  added_ = tolerances_ && family() ? tolerance_measures(*family(), *tolerances_) : AddedMeasures{};
-  if ((before.tolerance_error && !added_.tolerance_error) || (before.yield && !added_.yield))
+  added_ = family() ? added_measures(*family(), options) : AddedMeasures{};
+  if (std::any_of(before.all.begin(), before.all.end(),
+                  [&](const AddedMeasure& added) { return !added_.find(added.measure->measure()); }))
     mapped_.reset();  // its map has columns that nothing asks for any more
   tolerances_measured_ = false;
   yields_.reset();
@@ -119,7 +120,7 @@ const std::vector<CurveMark>& Session::marks() {
 
 void Session::classify(RegionMap& map, std::span<const double> input, std::span<const double> output) const {
   family()->classify(map, input, output, requirements().respect_direction);
-  added_.add_to(map, *family(), requirements(), without_yields);
+  added_.add_to(map, *family(), requirements(), without_sampled);
 }
 
 RequirementFilter Session::filter(const RegionMap& map) const { return filter_of(*family(), map, requirements()); }
@@ -127,14 +128,16 @@ RequirementFilter Session::filter(const RegionMap& map) const { return filter_of
 // The map stays where only tolerances change; yields go by the cells that meet all else.
 void Session::measure_tolerances(bool map_is_new) {
   RegionMap& region = map_.region;
-  if (!map_is_new && (!tolerances_measured_ || added_.of_passing))
-    added_.add_to(region, *family(), requirements(), without_yields);
+  const bool go_by_others = std::any_of(added_.all.begin(), added_.all.end(), [](const AddedMeasure& added) {
+    return added.cost == AddedMeasure::Cost::heavy;
+  });
+  if (!map_is_new && (!tolerances_measured_ || go_by_others))
+    added_.add_to(region, *family(), requirements(), without_sampled);
   tolerances_measured_ = true;
-  if (!added_.yield) return yields_.reset();
-  Requirements all_else = requirements();
-  all_else.min_yield = 0;
+  const AddedMeasure* sampled = added_.sampled();
+  if (!sampled) return yields_.reset();
   std::vector<FailureBits> failed(region.rows() * region.columns());
-  filter_of(*family(), region, all_else).failures_of_all(failed);
+  filter_of(*family(), region, added_.all_else(*sampled, requirements())).failures_of_all(failed);
   std::vector<std::uint8_t> wanted(failed.size());
   std::transform(failed.begin(), failed.end(), wanted.begin(), [](FailureBits bits) { return bits == 0; });
   if (map_is_new || !yields_ || wanted != yields_of_)
@@ -239,8 +242,8 @@ std::optional<Notice> Session::why_nothing() const {
 
 SampledYields Session::sample_yields(int cells) {
   if (!yields_) return {};
-  yields_->advance(static_cast<std::size_t>(std::max(cells, 0)), *added_.yield, map_.region.input_coordinates(),
-                   map_.region.output_coordinates());
+  yields_->advance(static_cast<std::size_t>(std::max(cells, 0)), *added_.sampled()->measure,
+                   map_.region.input_coordinates(), map_.region.output_coordinates());
   return {static_cast<std::int64_t>(yields_->done()), static_cast<std::int64_t>(yields_->total())};
 }
 
@@ -265,10 +268,11 @@ std::vector<FailureBits> Session::failures(RegionMap& map, std::span<const doubl
 FailureBits Session::failures_at(MapPoint place) {
   const FailureBits failed = failures(cell_, std::array{place.input}, std::array{place.output}).front();
   if (failed != 0 && !std::visit([&](const auto& known) { return meets_exactly(known, place); }, known_)) return failed;
-  const double least = requirements().min_yield;
-  if (!added_.yield || !(least > 0) || added_.yield->at(place).value_or(0) >= least) return 0;
-  const std::size_t bit = place_among(linkages(problem_.task).requirements, RequirementKind::min_yield);
-  return static_cast<FailureBits>(1u << bit);
+  const AddedMeasure* sampled = added_.sampled();
+  if (!sampled) return 0;
+  const auto fails = AddedMeasures{{*sampled}}.failures_at(place, requirements());
+  if (fails.empty()) return 0;
+  return static_cast<FailureBits>(1u << place_among(linkages(problem_.task).requirements, fails.front()));
 }
 
 PickedLinkage Session::linkage(MapPoint place) {
@@ -343,7 +347,7 @@ std::optional<Answer> Session::result_at(MapPoint place) const {
   if (!answer) return std::nullopt;
   std::optional<MapPoint>& at = findings(*answer).options.at;
   at = place;  // what is picked is not left out
-  report_tolerances(*answer);
+  report_analyses(*answer);
   at.reset();
   return answer;
 }

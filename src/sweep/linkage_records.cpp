@@ -4,7 +4,7 @@
 #include <string>
 
 #include "files/fields/field_writer.hpp"
-#include "files/kinds.hpp"
+#include "kinds/kinds.hpp"
 
 namespace linkwright {
 

@@ -2,18 +2,21 @@
 
 #include <algorithm>
 
-#include "linkwright/synthesis/tolerance_measures.hpp"
+#include "analyses/analyses.hpp"
 #include "region/ordered_axes.hpp"
 
 namespace linkwright {
 
 void measure_added(RegionMap& map, const LinkageFamily& family, const Findings& found, const Progress& progress) {
   const SynthesisOptions& options = found.options;
-  const bool ranks =
-      options.pareto && ((*options.pareto)[0] == Objective::yield || (*options.pareto)[1] == Objective::yield);
-  const bool yields =
-      options.measure_yields || found.requirements.min_yield > 0 || options.objective == Objective::yield || ranks;
-  found.added.add_to(map, family, found.requirements, yields, progress);
+  const AddedMeasure* sampled = found.added.sampled();
+  const auto is_asked = [&](Objective objective) {
+    return AddedMeasures::is_asked(*sampled, found.requirements, objective);
+  };
+  const bool with_sampled =
+      sampled && (options.measure_yields || is_asked(options.objective) ||
+                  (options.pareto && (is_asked((*options.pareto)[0]) || is_asked((*options.pareto)[1]))));
+  found.added.add_to(map, family, found.requirements, with_sampled, progress);
 }
 
 std::vector<SearchMap> CountedRegion::maps(const RegionMap& region) const {
@@ -24,21 +27,25 @@ std::vector<SearchMap> CountedRegion::maps(const RegionMap& region) const {
 
 namespace {
 
-/// A search keeps to yields that more samples will not take back, where the map has such.
-void set_yield_margin(Findings& found, const LinkageFamily& family) {
-  Requirements sure = found.requirements;
-  const double margin = margin_of_yield(sure.min_yield, *found.options.tolerances);
-  sure.min_yield += margin;
-  if (margin > 0 && filter_of(family, found.region, sure).census().meeting > 0) found.added.yield_margin = margin;
+/// A search keeps to what more samples will not take back, where the map has such.
+void set_margins(Findings& found, const LinkageFamily& family) {
+  for (AddedMeasure& added : found.added.all)
+    for (const Criterion* asked : AddedMeasures::criteria_on(added)) {
+      if (!added.margin_of || !asked->has_limit(found.requirements)) continue;
+      const double limit = asked->limit(found.requirements), margin = added.margin_of(limit);
+      Requirements sure = found.requirements;
+      asked->set(sure, limit + margin);
+      if (margin > 0 && filter_of(family, found.region, sure).census().meeting > 0) added.margin = margin;
+    }
 }
 
 /// What a map of half the step would have of linkages that fail one requirement alone: advice that relaxing one does
-/// not help is not to depend on where the samples lie. Yields take too long for it.
+/// not help is not to depend on where the samples lie. What analyses add takes too long for it.
 std::vector<Relaxation> relaxations_between(const Findings& found, const LinkageFamily& family, const MapExtent& extent,
                                             const Progress& progress) {
   constexpr int most_samples = 1000;
   const int samples = std::min(2 * extent.samples, most_samples);
-  if (found.options.tolerances || samples <= extent.samples) return {};
+  if (!found.added.all.empty() || samples <= extent.samples) return {};
   RegionMap map;
   family.classify(map, samples_within(family, Side::input, extent.window, samples, found.options.spacing),
                   samples_within(family, Side::output, extent.window, samples, found.options.spacing),
@@ -54,11 +61,11 @@ CountedRegion count_region(Findings& found, const LinkageFamily& family, const M
   const auto samples = [&](Side side) {
     return samples_within(family, side, extent.window, extent.samples, found.options.spacing);
   };
-  if (found.options.tolerances) found.added = tolerance_measures(family, *found.options.tolerances);
+  found.added = added_measures(family, found.options);
   const MapMaking making{[&](RegionMap& map, std::span<const double> input, std::span<const double> output) {
                            family.classify(map, input, output, found.requirements.respect_direction,
                                            found.options.region, progress);
-                           if (found.options.tolerances) measure_added(map, family, found, progress);
+                           if (!found.added.all.empty()) measure_added(map, family, found, progress);
                          },
                          std::max(extent.samples, extent.inside), extent.window};
   progress(0.1);
@@ -69,7 +76,7 @@ CountedRegion count_region(Findings& found, const LinkageFamily& family, const M
   CountedRegion counted{filter_of(family, found.region, found.requirements), {step, step}, extent.window, {}};
   const RequirementCensus census = counted.filter.census(progress);
   found.meeting_requirements = census.meeting;
-  if (found.options.tolerances && census.meeting > 0) set_yield_margin(found, family);
+  if (census.meeting > 0) set_margins(found, family);
   if (found.options.pareto) found.pareto = pareto_front(found.region, counted.filter, *found.options.pareto);
   counted.within =
       look_into_windows(family, {&found.region, &counted.filter, counted.step}, found.requirements, making, progress);

@@ -3,8 +3,8 @@
 #include <algorithm>
 #include <iterator>
 
-#include "kinds.hpp"
-#include "linkwright/synthesis/tolerance_measures.hpp"
+#include "analyses/analyses.hpp"
+#include "kinds/kinds.hpp"
 #include "reason.hpp"
 
 namespace linkwright {
@@ -38,11 +38,11 @@ Result<Answer> solve(const Problem& problem, const Progress& progress) {
       std::visit([&](const auto& of_kind) { return solve_of_kind(of_kind, requirements, options, progress); }, task);
   if (!solved) return solved;
   if (options.at) {  // what is there is told as it is
-    report_tolerances(*solved, progress);
+    report_analyses(*solved, progress);
     return solved;
   }
   std::visit([](auto& answer) { leave_out_unconfirmed(answer); }, *solved);
-  report_tolerances(*solved, progress);
+  report_analyses(*solved, progress);
   std::visit(
       [&](auto& answer) {
         explain_empty_list(answer, answer.linkages.empty());

@@ -6,9 +6,9 @@
 #include <nlohmann/json.hpp>
 #include <numeric>
 
+#include "linkwright/analyses/tolerance_study.hpp"
 #include "linkwright/files/problem_file.hpp"
 #include "linkwright/synthesis/solve.hpp"
-#include "linkwright/synthesis/tolerance_measures.hpp"
 #include "session.hpp"
 #include "support/file_support.hpp"
 
@@ -111,7 +111,7 @@ TEST_P(EachKindOfTolerances, YieldsComeUntilAllAreThere) {
   const auto answer = solve(*problem);
   const auto cells = explored.passing();
   for (std::size_t k = 0; k < cells.size(); k += 1 + cells.size() / 7) {
-    const double exact = findings(*answer).added.yield->at(explored.place(cells[k])).value();
+    const double exact = findings(*answer).added.find(measures::yield)->measure->at(explored.place(cells[k])).value();
     EXPECT_FLOAT_EQ(explored.values()[cells[k]], static_cast<float>(exact));
   }
 }

@@ -17,8 +17,8 @@ class Coordinate : public CellMeasure {
 };
 
 AddedMeasures error_and_yield() {
-  return {std::make_shared<Coordinate>(measures::tolerance_error, &MapPoint::input),
-          std::make_shared<Coordinate>(measures::yield, &MapPoint::output)};
+  return {{{std::make_shared<Coordinate>(measures::tolerance_error, &MapPoint::input)},
+           {std::make_shared<Coordinate>(measures::yield, &MapPoint::output), AddedMeasure::Cost::sampled}}};
 }
 
 constexpr double own = 42;
@@ -47,6 +47,48 @@ TEST(AddedMeasures, RefuseWhatFailsARequirementOnThem) {
   wanted.min_yield = 0.5;
   EXPECT_TRUE(added.score({3, 0.5}, wanted, Objective::size, own));
   EXPECT_FALSE(added.score({3, 0.49}, wanted, Objective::size, own));
+}
+
+TEST(AddedMeasures, KeepAMarginWhereASearchGoesAndNoneWhereAPlaceIsJudged) {
+  AddedMeasures added = error_and_yield();
+  Requirements wanted;
+  wanted.min_yield = 0.5;
+  added.all[1].margin = 0.1;
+  EXPECT_TRUE(added.score({3, 0.6}, wanted, Objective::size, own));
+  EXPECT_FALSE(added.score({3, 0.59}, wanted, Objective::size, own));
+  EXPECT_TRUE(added.failures_at({3, 0.5}, wanted).empty());
+  wanted.max_tolerance_error = 3;
+  added.all[0].margin = 1;
+  EXPECT_TRUE(added.score({2, 0.6}, wanted, Objective::size, own));
+  EXPECT_FALSE(added.score({2.1, 0.6}, wanted, Objective::size, own)) << "of what is to be small it is below the limit";
+}
+
+TEST(AddedMeasures, LeaveOutRequirementsOnThemselvesAndOnWhatTakesLonger) {
+  const AddedMeasures added = error_and_yield();
+  Requirements wanted;
+  wanted.max_link_ratio = 7;
+  wanted.max_tolerance_error = 3;
+  wanted.min_yield = 0.5;
+  const Requirements of_error = added.all_else(added.all[0], wanted), of_yield = added.all_else(added.all[1], wanted);
+  EXPECT_EQ(of_error.max_tolerance_error, Requirements::unlimited);
+  EXPECT_EQ(of_error.min_yield, 0);
+  EXPECT_EQ(of_error.max_link_ratio, wanted.max_link_ratio);
+  EXPECT_EQ(of_yield.max_tolerance_error, 3);
+  EXPECT_EQ(of_yield.min_yield, 0);
+}
+
+TEST(AddedMeasures, TellWhichAreAskedFor) {
+  const AddedMeasures added = error_and_yield();
+  Requirements wanted;
+  EXPECT_EQ(added.sampled(), added.find(measures::yield));
+  EXPECT_EQ(added.find(measures::link_ratio), nullptr);
+  EXPECT_FALSE(AddedMeasures::is_asked(*added.sampled(), wanted, Objective::size));
+  EXPECT_TRUE(AddedMeasures::is_asked(*added.sampled(), wanted, Objective::yield));
+  wanted.min_yield = 0.5;
+  EXPECT_TRUE(AddedMeasures::is_asked(*added.sampled(), wanted, Objective::size));
+  EXPECT_FALSE(added.are_required(wanted)) << "what is sampled comes by itself";
+  wanted.max_tolerance_error = 3;
+  EXPECT_TRUE(added.are_required(wanted));
 }
 
 TEST(AddedMeasures, NameWhatAPlaceFails) {

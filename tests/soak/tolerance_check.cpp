@@ -4,8 +4,9 @@
 #include <cmath>
 #include <fmt/format.h>
 
+#include "analyses/tolerances/tolerance_analysis.hpp"
+#include "linkwright/analyses/tolerance_study.hpp"
 #include "linkwright/region/measure.hpp"
-#include "linkwright/synthesis/tolerance_measures.hpp"
 
 namespace linkwright::soak {
 namespace {

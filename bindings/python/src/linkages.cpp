@@ -3,17 +3,15 @@
 #include <pybind11/stl.h>
 
 #include "bindings.hpp"
+#include "linkwright/analyses/tolerance_study.hpp"
 #include "linkwright/core/angle.hpp"
 #include "linkwright/drawing/linkage_export.hpp"
 #include "linkwright/drawing/svg_drawing.hpp"
-#include "linkwright/drawing/tolerance_drawing.hpp"
 #include "linkwright/files/analysis_file.hpp"
 #include "linkwright/files/csv_table.hpp"
-#include "linkwright/files/listed_study.hpp"
 #include "linkwright/files/problem_file.hpp"
 #include "linkwright/files/result_file.hpp"
 #include "linkwright/files/six_bar_file.hpp"
-#include "linkwright/files/tolerance_file.hpp"
 #include "linkwright/machine/machine_export.hpp"
 
 namespace linkwright::python {

@@ -76,6 +76,12 @@ struct Criterion {
   /// Of a number, `any` where it is not given.
   [[nodiscard]] double limit(const Requirements& wanted) const;
   [[nodiscard]] bool has_limit(const Requirements& wanted) const { return is_number() && limit(wanted) != any; }
+  /// Of a number: what is measured keeps the limit.
+  [[nodiscard]] bool is_met_by(double measured, double limit) const {
+    return rule == Rule::at_least ? measured >= limit : measured <= limit;
+  }
+  /// Requires another limit of a number.
+  void set(Requirements& wanted, double limit) const;
   /// Where hinges must lie; nothing: anywhere.
   [[nodiscard]] std::optional<PivotWindow> window(const Requirements& wanted) const;
   /// A number or places are asked for, other than by default.

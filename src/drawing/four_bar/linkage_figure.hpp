@@ -133,8 +133,4 @@ void draw_reason_strip(SvgCanvas& svg, const PixelBox& card, const FunctionAnswe
 /// The traced point's way over the whole motion cycle.
 [[nodiscard]] std::vector<Point> path_of_cycle(const FourBar& four_bar, Point traced);
 
-/// As draw_answer(): the best four-bar in its task, the solution region, the numbers.
-[[nodiscard]] std::string draw_sheet(const Problem& problem, const MotionAnswer& answer);
-[[nodiscard]] std::string draw_sheet(const Problem& problem, const FunctionAnswer& answer);
-
 }  // namespace linkwright

@@ -53,12 +53,4 @@ void draw_line_keys(SvgCanvas& svg, Point right);
 void draw_deviation_plot(SvgCanvas& svg, const PixelBox& box, const StraightLineSolution& found, LineMeasure measure,
                          std::string_view length_unit);
 
-/// The best linkages small, side by side in a rectangle of a picture, each with what it is and its usable length: as
-/// many as can be told apart there.
-void draw_gallery(SvgCanvas& svg, const PixelBox& box, const StraightLineAnswer& answer, std::string_view length_unit);
-
-/// As draw_answer(const Problem&, const Answer&): the best linkage with its line, Ball's point and inflection circle;
-/// the map; the deviation from the line, magnified; the numbers.
-[[nodiscard]] std::string draw_sheet(const Problem& problem, const StraightLineAnswer& answer);
-
 }  // namespace linkwright

@@ -1,0 +1,19 @@
+#include "analyses.hpp"
+
+#include "analyses/tolerances/tolerance_analysis.hpp"
+
+namespace linkwright {
+
+void analysis_fields(FieldVisitor& v, SynthesisOptions& options) { v.optional("tolerances", options.tolerances); }
+
+AddedMeasures added_measures(const LinkageFamily& family, const SynthesisOptions& options) {
+  return options.tolerances ? tolerance_measures(family, *options.tolerances) : AddedMeasures{};
+}
+
+void report_analyses(Answer& answer, const Progress& progress) {
+  if (findings(answer).options.tolerances) report_tolerances(answer, progress);
+}
+
+void report_fields(FieldVisitor& v, const Findings* found, std::size_t place) { tolerance_field(v, found, place); }
+
+}  // namespace linkwright

@@ -1,0 +1,28 @@
+#pragma once
+
+#include <cstddef>
+
+#include "fields/field_visitor.hpp"
+#include "linkwright/core/progress.hpp"
+#include "linkwright/region/added_measures.hpp"
+#include "linkwright/region/linkage_family.hpp"
+#include "linkwright/synthesis/answer.hpp"
+#include "linkwright/synthesis/options.hpp"
+
+// What can be asked beside any task. An analysis has a folder here and its line in each of these functions; what it
+// measures it requires and ranks by rows of the tables of criteria and objectives.
+namespace linkwright {
+
+/// The blocks beside the task in a problem file.
+void analysis_fields(FieldVisitor& v, SynthesisOptions& options);
+
+/// What the options ask of the linkages of a map, which must outlive it.
+[[nodiscard]] AddedMeasures added_measures(const LinkageFamily& family, const SynthesisOptions& options);
+
+/// Of the linkages listed; those that do not meet by it what is required are left out. Cancelled: of those reached.
+void report_analyses(Answer& answer, const Progress& progress = {});
+
+/// The members of the linkage number `place` of an answer in a result file; null: of one that is in no list.
+void report_fields(FieldVisitor& v, const Findings* found, std::size_t place);
+
+}  // namespace linkwright

@@ -1,0 +1,164 @@
+#include <algorithm>
+
+#include "four_bar_kind.hpp"
+#include "planar/function_family.hpp"
+
+namespace linkwright {
+namespace {
+
+// Of a map with a curve of its own to each column.
+constexpr int most_samples_over_a_free_parameter = 500;
+
+// With a free parameter the curve is another at each value of it.
+bool lies_along_its_curve(const TaskFamily& given, Side side) {
+  if (!given.curve || !given.family) return given.curve != nullptr;
+  const MapAxis& axis = given.family->axis(side);
+  return axis.quantity == AxisQuantity::curve_coordinate && axis.branches.size() == given.curve->branches().size();
+}
+
+// Where there are none to be paired, those of the curve all the same.
+std::vector<Dyad> polygon_of(const TaskFamily& given, Side side) {
+  if (given.family) return given.family->polygon(side);
+  const bool has_places = given.curve && given.curve->coordinate_length() > 0;
+  return has_places ? given.curve->polygon(drawn_side) : std::vector<Dyad>{};
+}
+
+Notice why_degenerate(const TaskFamily& given, MapPoint place) {
+  const auto links = given.family->dyad_pair(place);
+  if (!links || links->input.circle == Homogeneous{} || links->output.circle == Homogeneous{})
+    return {"no_linkage", "There is no linkage here: no grounded link of this length can have this direction.", {}};
+  if (is_at_infinity(links->input.center) || is_at_infinity(links->output.center))
+    return {"slider_fixed", "Slider: the fixed pivot is at infinity; the pin moves on a straight guide.", {}};
+  if (is_at_infinity(links->input.circle) || is_at_infinity(links->output.circle))
+    return {
+        "slider_moving", "Slider: the moving pivot is at infinity; a guide in the body slides on the fixed pivot.", {}};
+  return {"zero_link", "A link has no length: this is no four-bar.", {}};
+}
+
+// The freed pose is none of those that are passed.
+std::vector<int> passed_positions(const TaskFamily& given, std::size_t count) {
+  std::vector<int> numbers;
+  for (std::size_t pose = 0; pose < count; ++pose)
+    numbers.push_back(static_cast<int>(pose) + (given.relaxed && pose >= given.relaxed->index ? 2 : 1));
+  return numbers;
+}
+
+std::optional<FourBarSolution> four_bar_at(const FourBarAnswer& known, MapPoint place, bool verify) {
+  return make_four_bar(known.given, place, known.requirements.respect_direction, verify);
+}
+
+}  // namespace
+
+bool serves(const MotionAnswer& known, const Problem& /*before*/, const Problem& /*now*/) {
+  return !known.task.given;  // what is given may leave a length, which is chosen by the requirements
+}
+
+Requirements with_defaults(Requirements wanted, const FourBarAnswer& known) {
+  return with_defaults(std::move(wanted), known.given);
+}
+
+Notice no_map(const FourBarAnswer& known) {
+  return known.given.degeneracy.value_or(Notice{"no_map", "There is no map of this task.", {}});
+}
+
+Notice nothing_on_map(const FourBarAnswer& /*known*/) {
+  return {"no_pair",
+          "No pair of dyads makes a four-bar: in every pair a pivot is at infinity or a link has no length.",
+          {}};
+}
+
+LinkPolygon links_along(const FourBarAnswer& known, Side side) {
+  LinkPolygon polygon;
+  const FourBarFamily* family = known.family();
+  // Where nothing is left to choose of the output, it moves with the input.
+  const bool along_input = family != nullptr && family->axis(side).quantity == AxisQuantity::nothing;
+  const auto branches = family              ? family->axis(along_input ? Side::input : side).branches
+                        : known.given.curve ? known.given.curve->branches()
+                                            : std::vector<CurveBranch>{};
+  append_links(polygon, polygon_of(known.given, side), branches, known.given.frame());
+  return polygon;
+}
+
+std::vector<CurveMark> marks_of(const MotionAnswer& known) {
+  const std::vector<PrescribedPose>& poses = known.task.poses;
+  const TaskFamily& given = known.given;
+  if (!given.curve || poses.empty()) return {};
+  return curve_marks(poses, *given.curve, given.frame(), polygon_of(given, Side::input));
+}
+
+ShownAxis shown_axis(const FourBarAnswer& known, Side side, int order, const ShownAxis* before) {
+  const TaskFamily& given = known.given;
+  const Spacing spacing = known.options.spacing;
+  if (!lies_along_its_curve(given, side))
+    return given.family ? shown_by_samples(*given.family, side, spacing) : ShownAxis{};
+  ShownAxis shown;
+  if (given.family)
+    shown.axis = given.family->axis(side);
+  else
+    shown.axis.branches = given.curve->branches();
+  shown.order = order == MapRequest::nearest_order && before
+                    ? DisplayOrder::nearest(*given.curve, spacing, given.frame(), before->order)
+                    : DisplayOrder(*given.curve, spacing, given.frame(), std::max(order, 0));
+  return shown;
+}
+
+std::vector<double> coordinates_of(const FourBarAnswer& known, const LinkageFamily& family, const MapRequest& request,
+                                   const ShownAxis& shown, Side side) {
+  const bool is_whole = (side == Side::input ? request.input : request.output) == MapRequest::whole;
+  if (is_whole && !shown.axis.is_discrete() && lies_along_its_curve(known.given, side))
+    return shown.order.samples(*known.given.curve, request.samples);
+  return coordinates_of(static_cast<const Findings&>(known), family, request, shown, side);
+}
+
+int live_samples(const FunctionAnswer& known, int asked) {
+  return known.task.free ? std::min(asked, most_samples_over_a_free_parameter) : asked;
+}
+
+std::vector<MissedBox> boxes_missed(const FourBarAnswer& known) {
+  return missed_boxes(*known.family(), known.requirements);
+}
+
+bool write_property(const MotionAnswer& known, const ColouredMap& map, std::string_view property,
+                    std::span<float> values) {
+  if (property != "pose_miss" || !known.given.relaxed) return false;
+  pose_errors(*known.family(), map.region, map.fails, *known.given.relaxed, values);
+  for (float& value : values) value = std::max(value, 0.0F);
+  return true;
+}
+
+bool write_property(const FunctionAnswer& known, const ColouredMap& map, std::string_view property,
+                    std::span<float> values) {
+  if (property != "max_structural_error_deg" || !known.task.function || known.task.free) return false;
+  structural_errors_deg(*known.given.functions, map.region, values);
+  return true;
+}
+
+std::optional<FourBarSolution> solution_at(const MotionAnswer& known, MapPoint place, bool verify) {
+  return four_bar_at(known, place, verify);
+}
+
+std::optional<FourBarSolution> solution_at(const FunctionAnswer& known, MapPoint place, bool verify) {
+  auto found = four_bar_at(known, place, verify);
+  if (found && known.given.functions) measure_function(*found, *known.given.functions);
+  return found;
+}
+
+void describe(PickedLinkage& picked, const FourBarAnswer& known, const FourBarSolution* found) {
+  if (found == nullptr) {
+    picked.reason = why_degenerate(known.given, picked.place);
+    return;
+  }
+  const std::vector<PrescribedPose> poses = known.family()->user_poses(picked.place, found->four_bar);
+  const PoseVisits visits = pose_visits(found->four_bar, poses);
+  picked.positions = passed_positions(known.given, poses.size());
+  picked.travel = travel_of(visits, poses);
+  picked.reason = defect_notice(found->report.defects, visits, picked.positions);
+}
+
+double residual_of(const FourBarSolution& found) {
+  return std::max(found.input_residual * found.lengths.input, found.output_residual * found.lengths.output);
+}
+
+const GeneratorFamily* generators_of(const FunctionAnswer& known) { return known.given.functions.get(); }
+
+}  // namespace linkwright
