@@ -102,12 +102,12 @@ std::array<Homogeneous, 2> frame_on(Homogeneous line) {
 }
 
 /// The work on one pair of conics; e, f are an orthonormal basis of their pencil.
-class Meeting {
+class Intersection {
  public:
-  Meeting(const HomogeneousMatrix& e, const HomogeneousMatrix& f) : e_(e), f_(f) {}
+  Intersection(const HomogeneousMatrix& e, const HomogeneousMatrix& f) : e_(e), f_(f) {}
 
   void find();
-  ConicMeeting found;
+  ConicIntersection found;
 
  private:
   void cut(Homogeneous line, const HomogeneousMatrix& conic);
@@ -117,7 +117,7 @@ class Meeting {
   HomogeneousMatrix e_, f_;
 };
 
-void Meeting::find() {
+void Intersection::find() {
   const std::array<double, 4> cubic = choose_leading(e_, f_);
   // All members of a pencil with a common line, or a common vertex, are degenerate: any of them will do.
   const double t = std::abs(cubic[0]) > tolerance::vanishing_coefficient
@@ -147,7 +147,7 @@ void Meeting::find() {
 }
 
 // Where a line of the degenerate member meets another member: a u² + 2b uv + c v² = 0.
-void Meeting::cut(Homogeneous line, const HomogeneousMatrix& conic) {
+void Intersection::cut(Homogeneous line, const HomogeneousMatrix& conic) {
   const auto [first, second] = frame_on(line);
   const Homogeneous image = conic * first;
   const double a = dot(first, image), b = dot(second, image), c = dot(second, conic * second);
@@ -174,7 +174,7 @@ void Meeting::cut(Homogeneous line, const HomogeneousMatrix& conic) {
 }
 
 // Newton on both conics, square to the point: one step, and another where that was longer than the root of rounding.
-void Meeting::correct(Homogeneous& point) const {
+void Intersection::correct(Homogeneous& point) const {
   constexpr double last = tolerance::last_newton_correction;
   for (int taken = 0; taken < 2; ++taken) {
     const Homogeneous by_e = e_ * point, by_f = f_ * point;
@@ -187,10 +187,10 @@ void Meeting::correct(Homogeneous& point) const {
   }
 }
 
-void Meeting::add(Homogeneous point, int multiplicity) {
+void Intersection::add(Homogeneous point, int multiplicity) {
   if (multiplicity == 1) correct(point);
   for (int i = 0; i < found.count; ++i) {
-    ConicMeeting::Place& other = found.places[static_cast<std::size_t>(i)];
+    ConicIntersection::Place& other = found.places[static_cast<std::size_t>(i)];
     if (norm(cross(other.point, point)) > tolerance::double_point) continue;
     other.multiplicity += multiplicity;
     return;
@@ -200,16 +200,16 @@ void Meeting::add(Homogeneous point, int multiplicity) {
 
 }  // namespace
 
-ConicMeeting meeting_of(const HomogeneousMatrix& a, const HomogeneousMatrix& b) {
+ConicIntersection intersection_of(const HomogeneousMatrix& a, const HomogeneousMatrix& b) {
   HomogeneousMatrix e = a, f = b;
   if (!make_orthonormal(e, f)) {
-    ConicMeeting same;
+    ConicIntersection same;
     same.common_component = true;
     return same;
   }
-  Meeting meeting(e, f);
-  meeting.find();
-  return meeting.found;
+  Intersection intersection(e, f);
+  intersection.find();
+  return intersection.found;
 }
 
 }  // namespace linkwright

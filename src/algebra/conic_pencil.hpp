@@ -7,7 +7,7 @@
 namespace linkwright {
 
 /// Real points that two conics of the projective plane have in common.
-struct ConicMeeting {
+struct ConicIntersection {
   struct Place {
     Homogeneous point;     ///< unit vector
     int multiplicity = 1;  ///< points closer than tolerance::double_point are one
@@ -23,6 +23,6 @@ struct ConicMeeting {
 /// lines, and each line meets another member in two points. The member taken belongs to the root of the pencil's cubic
 /// that stands apart from the others, so that touching conics do no harm: their point of contact lies on one of the two
 /// lines, where it is a double root of a quadratic equation. A Newton correction on both conics follows.
-[[nodiscard]] ConicMeeting meeting_of(const HomogeneousMatrix& a, const HomogeneousMatrix& b);
+[[nodiscard]] ConicIntersection intersection_of(const HomogeneousMatrix& a, const HomogeneousMatrix& b);
 
 }  // namespace linkwright

@@ -100,7 +100,7 @@ double text_width(std::string_view text, double size) {
   return width * size;
 }
 
-std::string fitted(std::string_view text, double size, double width) {
+std::string fit_text(std::string_view text, double size, double width) {
   if (text_width(text, size) <= width) return std::string(text);
   double used = size;  // the "…"
   std::size_t end = 0;

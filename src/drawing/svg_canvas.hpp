@@ -15,7 +15,7 @@ namespace linkwright {
 [[nodiscard]] double text_width(std::string_view text, double size);
 
 /// The text, cut with "…" to about `width` px.
-[[nodiscard]] std::string fitted(std::string_view text, double size, double width);
+[[nodiscard]] std::string fit_text(std::string_view text, double size, double width);
 
 struct TextStyle {
   double size = 13;

@@ -81,16 +81,16 @@ class Equations {
     return linkage_.spherical ? std::array{by_turning.x, by_turning.y, by_turning.z}
                               : std::array{along.x, along.y, by_turning.z};
   }
-  /// What is unknown of `found` is 0 yet: `told` says what all else does to a hinge, and both bodies do the same.
-  template <class Told>
+  /// What is unknown of `found` is 0 yet: `motion_of` says what all else does to a hinge, and both bodies do the same.
+  template <class MotionOf>
   [[nodiscard]] bool put_unknowns(std::vector<HingedBodyRates>& found, Vector3 HingedBodyRates::*drift,
-                                  Vector3 HingedBodyRates::*turning, const Told& told) const {
+                                  Vector3 HingedBodyRates::*turning, const MotionOf& motion_of) const {
     Rows rows;
     for (std::size_t hinge = 0; hinge < at_.size(); ++hinge) {
       if (hinge == driver_hinge()) continue;
       const auto [a, b] = linkage_.hinges[hinge];
-      const Vector3 apart =
-          told(found[static_cast<std::size_t>(b)], at_[hinge]) - told(found[static_cast<std::size_t>(a)], at_[hinge]);
+      const Vector3 apart = motion_of(found[static_cast<std::size_t>(b)], at_[hinge]) -
+                            motion_of(found[static_cast<std::size_t>(a)], at_[hinge]);
       for (const Vector3 along : directions(at_[hinge])) {
         std::vector<double>& row = rows.emplace_back(unknowns_ + 1);
         const auto by_number = effect(at_[hinge], along);

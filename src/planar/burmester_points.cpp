@@ -95,7 +95,8 @@ Homogeneous with_sign(Homogeneous v) {
   return sign < 0 ? -1.0 * v : v;
 }
 
-BurmesterPoint point_of(const PoseConditions& conditions, const DyadSpace& space, const ConicMeeting::Place& place) {
+BurmesterPoint point_of(const PoseConditions& conditions, const DyadSpace& space,
+                        const ConicIntersection::Place& place) {
   Dyad dyad = factors_of(space, place.point);
   if (place.multiplicity == 1) dyad = polished(conditions, dyad);
   dyad.circle = with_sign(dyad.circle);
@@ -150,11 +151,11 @@ BurmesterPoints burmester_points(const PoseConditions& conditions) {
     return result;
   }
   const DyadSpace space = dyad_space(rows_of(conditions));
-  const ConicMeeting meeting = dyads_in(space);
-  result.complex_roots = meeting.complex_points;
-  if (meeting.common_component) result.degeneracy = common_component();
-  for (int i = 0; i < meeting.count; ++i)
-    result.points.push_back(point_of(conditions, space, meeting.places[static_cast<std::size_t>(i)]));
+  const ConicIntersection intersection = dyads_in(space);
+  result.complex_roots = intersection.complex_points;
+  if (intersection.common_component) result.degeneracy = common_component();
+  for (int i = 0; i < intersection.count; ++i)
+    result.points.push_back(point_of(conditions, space, intersection.places[static_cast<std::size_t>(i)]));
   std::sort(result.points.begin(), result.points.end(),
             [](const BurmesterPoint& a, const BurmesterPoint& b) { return comes_before(a.dyad, b.dyad); });
   for (std::size_t i = 0; i < result.points.size(); ++i) {

@@ -73,7 +73,7 @@ DyadSpace dyad_space(const ConditionRows& rows) {
   return space;
 }
 
-ConicMeeting dyads_in(const DyadSpace& space) {
+ConicIntersection dyads_in(const DyadSpace& space) {
   const auto& [p, q, x, y, u, v, w] = space;
   HomogeneousMatrix real{}, imaginary{};
   add_product(real, p, w, std::numbers::sqrt2);
@@ -82,7 +82,7 @@ ConicMeeting dyads_in(const DyadSpace& space) {
   add_product(imaginary, q, w, std::numbers::sqrt2);
   add_product(imaginary, y, u, -1);
   add_product(imaginary, x, v, 1);
-  return meeting_of(real, imaginary);
+  return intersection_of(real, imaginary);
 }
 
 Dyad factors_of(const DyadSpace& space, Homogeneous parameters) {

@@ -20,7 +20,7 @@ using DyadSpace = std::array<Homogeneous, 7>;
 [[nodiscard]] DyadSpace dyad_space(const ConditionRows& rows);
 
 /// Where the seven numbers are those of a pair of points, z C̄ · w w′ = z w′ · w C̄: two conics in the parameters.
-[[nodiscard]] ConicMeeting dyads_in(const DyadSpace& space);
+[[nodiscard]] ConicIntersection dyads_in(const DyadSpace& space);
 
 /// The pair of points with these numbers, unit vectors; w and w′ are not negative. Where both are at infinity only the
 /// angle between them is determined: then z has the direction of x.

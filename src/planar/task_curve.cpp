@@ -39,13 +39,13 @@ Notice near_common_pole(const WorkingFrame& frame, const PoleFrame& view) {
 // Groups of parallel poses, in words: "1 and 3", "1, 2 and 4".
 std::vector<std::string> parallel_groups(const std::vector<PrescribedPose>& poses) {
   std::vector<std::string> groups;
-  std::vector<bool> told(poses.size(), false);
+  std::vector<bool> is_grouped(poses.size(), false);
   for (std::size_t i = 0; i < poses.size(); ++i) {
     std::vector<std::size_t> group = {i + 1};
     for (std::size_t j = i + 1; j < poses.size(); ++j) {
-      if (told[i] || !are_parallel(poses[i].pose, poses[j].pose)) continue;
+      if (is_grouped[i] || !are_parallel(poses[i].pose, poses[j].pose)) continue;
       group.push_back(j + 1);
-      told[j] = true;
+      is_grouped[j] = true;
     }
     if (group.size() == 1) continue;
     const std::size_t last = group.back();

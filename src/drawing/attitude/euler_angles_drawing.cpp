@@ -108,7 +108,7 @@ PixelBox panel(std::size_t number) {
 }
 
 void draw_caption(SvgCanvas& svg, const PixelBox& box, std::string_view text, std::string_view color) {
-  svg.text({box.left + 16, box.top + 18}, fitted(text, 13.5, panel_width - 24),
+  svg.text({box.left + 16, box.top + 18}, fit_text(text, 13.5, panel_width - 24),
            {.size = 13.5, .color = color, .weight = 600});
 }
 
@@ -234,7 +234,7 @@ std::string draw_euler_angles(const EulerAngles& angles) {
   }
   SvgCanvas svg(euler_width, euler_height, title);
   svg.rectangle({0, 0}, euler_width, euler_height, fill(palette::paper));
-  svg.text({16, 28}, fitted(title, 15, euler_width - 28), {.size = 15, .weight = 650});
+  svg.text({16, 28}, fit_text(title, 15, euler_width - 28), {.size = 15, .weight = 650});
   svg.line({16, top + panel_height}, {euler_width - 16, top + panel_height}, stroke(palette::line, 1));
   svg.line({panel_width, top + 4}, {panel_width, top + 2 * panel_height - 4}, stroke(palette::line, 1));
   for (std::size_t k = 0; k < 3; ++k) draw_one_turn(svg, turns, k);

@@ -111,7 +111,7 @@ std::string draw_finite_rotation(const OrientationReport& report) {
   }
   SvgCanvas svg(rotation_width, rotation_height, title);
   svg.rectangle({0, 0}, rotation_width, rotation_height, fill(palette::paper));
-  svg.text({20, 32}, fitted(title, 17, rotation_width - 40), {.size = 17, .weight = 650});
+  svg.text({20, 32}, fit_text(title, 17, rotation_width - 40), {.size = 17, .weight = 650});
   SpaceFigure figure(svg, {10, 44, rotation_width - 20, rotation_height - 84}, points, 34);
   figure.triad({}, 1.15, before, 1.6, {"x₀", "y₀", "z₀"});
   figure.triad({report.task.orientation.rotation, {}}, 1.15, after, 2.2, {"x₁", "y₁", "z₁"});

@@ -114,7 +114,7 @@ std::string draw_displacement(const DisplacementReport& report) {
   const std::string title = title_of(report, scene);
   SvgCanvas svg(screw_width, screw_height, title);
   svg.rectangle({0, 0}, screw_width, screw_height, fill(palette::paper));
-  svg.text({20, 32}, fitted(title, 17, screw_width - 40), {.size = 17, .weight = 650});
+  svg.text({20, 32}, fit_text(title, 17, screw_width - 40), {.size = 17, .weight = 650});
   SpaceFigure figure(svg, {10, 44, screw_width - 20, screw_height - 84}, extents(scene, way), 36);
   if (scene.near_axis) draw_axis(figure, scene, way);
   figure.triad({}, scene.arm, palette::ink3, 1.6, {"x₁", "y₁", "z₁"});

@@ -60,7 +60,7 @@ void draw_wrapped(SvgCanvas& svg, Point position, std::string_view text, double 
       if (space == std::string_view::npos || space == 0) break;
       end = space;
     }
-    svg.text(position + Point{0, leading * line}, fitted(text.substr(0, end), size, width), {.size = size});
+    svg.text(position + Point{0, leading * line}, fit_text(text.substr(0, end), size, width), {.size = size});
     text.remove_prefix(std::min(end + 1, text.size()));
   }
 }
@@ -195,7 +195,7 @@ void draw_ways_out(SvgCanvas& svg, const PixelBox& card, const std::vector<Relax
                                            : "nothing was found";
     const Point at{left, card.top + first + leading * static_cast<double>(i)};
     svg.text(at, fmt::format("position {}", way.pose + 1), {.size = 12, .color = palette::ink2});
-    svg.text(at + 76.0, fitted(words, 12, column - 76), {.size = 12});
+    svg.text(at + 76.0, fit_text(words, 12, column - 76), {.size = 12});
   }
 }
 

@@ -70,12 +70,12 @@ void draw_entry(SvgCanvas& svg, const PixelBox& box, const StraightLineAnswer& a
   const PixelBox picture{box.left, box.top + caption_height, box.width, box.height - caption_height};
   // Of a search each is of a case of its own.
   const std::string kind = answer.search ? std::string(name(found.task.given)) : std::string(label(found.type));
-  svg.text({box.left, box.top + 12}, fitted(fmt::format("{}  {}", index + 1, kind), 12, 0.92 * box.width),
+  svg.text({box.left, box.top + 12}, fit_text(fmt::format("{}  {}", index + 1, kind), 12, 0.92 * box.width),
            {.size = 12, .weight = 650});
   const std::string words =
       fmt::format("{}{}{} within ±{}, {} points", significant_text(found.counted(measure).length(), 4),
                   unit.empty() ? "" : " ", unit, significant_text(found.deviation, 3), found.contact.points);
-  svg.text({box.left, box.top + 29}, fitted(words, 11.5, box.width), {.size = 11.5, .color = palette::ink2});
+  svg.text({box.left, box.top + 29}, fit_text(words, 11.5, box.width), {.size = 11.5, .color = palette::ink2});
   draw_small_scene(svg, picture, line_scene(found, measure));
   svg.rectangle(picture.corner(), picture.width, picture.height, "fill=\"none\" " + stroke(palette::line, 1));
 }
