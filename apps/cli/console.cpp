@@ -10,7 +10,7 @@
 #include <sys/time.h>
 #include <unistd.h>
 
-#include "linkwright/files/atomic_file.hpp"
+#include "linkwright/files/text_file.hpp"
 
 namespace linkwright::cli {
 namespace {

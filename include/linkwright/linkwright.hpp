@@ -12,7 +12,6 @@
 #include "linkwright/drawing/svg_drawing.hpp"
 #include "linkwright/files/analysis_file.hpp"
 #include "linkwright/files/angular_motion_file.hpp"
-#include "linkwright/files/atomic_file.hpp"
 #include "linkwright/files/csv_table.hpp"
 #include "linkwright/files/displacement_file.hpp"
 #include "linkwright/files/label.hpp"

@@ -15,7 +15,7 @@
 #include "core/function_ref.hpp"
 #include "linkwright/algebra/point.hpp"
 #include "linkwright/algebra/vector3.hpp"
-#include "linkwright/attitude/given_orientation.hpp"
+#include "linkwright/attitude/quaternion.hpp"
 #include "linkwright/core/result.hpp"
 
 // What a file says of a struct is told once, by a function fields(FieldVisitor&, Struct&) that names its members.

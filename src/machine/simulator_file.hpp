@@ -5,7 +5,7 @@
 
 #include "linkwright/core/result.hpp"
 #include "linkwright/machine/machine.hpp"
-#include "linkwright/machine/mass_properties.hpp"
+#include "linkwright/machine/mesh.hpp"
 
 namespace linkwright {
 

@@ -8,7 +8,6 @@
 
 #include "files/json/json_document.hpp"
 #include "journal_records.hpp"
-#include "linkwright/files/atomic_file.hpp"
 #include "linkwright/files/text_file.hpp"
 #include "plan_base.hpp"
 

@@ -1,5 +1,6 @@
 #include "linkwright/core/result.hpp"
 
+#include <cstddef>
 #include <gtest/gtest.h>
 #include <memory>
 #include <string>
@@ -60,6 +61,16 @@ TEST(Notice, HoldsNumbersAndWordsByName) {
   const Notice notice{"order_defect", "Order defect.", {{"order", "1-3-2-4"}, {"count", 4.0}}};
   EXPECT_EQ(std::get<std::string>(notice.values[0].value), "1-3-2-4");
   EXPECT_EQ(std::get<double>(notice.values[1].value), 4.0);
+}
+
+TEST(Values, AreNumbersOfAnyKindAndWords) {
+  const std::string_view word = "output";
+  const Values values = {{"count", std::size_t{3}}, {"length", 2.5}, {"place", -1}, {"side", word}, {"axis", "x"}};
+  EXPECT_EQ(std::get<double>(values[0].value), 3);
+  EXPECT_EQ(std::get<double>(values[1].value), 2.5);
+  EXPECT_EQ(std::get<double>(values[2].value), -1);
+  EXPECT_EQ(std::get<std::string>(values[3].value), "output");
+  EXPECT_EQ(std::get<std::string>(values[4].value), "x");
 }
 
 }  // namespace

@@ -4,6 +4,7 @@
 #include <cmath>
 #include <cstdlib>
 #include <gtest/gtest.h>
+#include <limits>
 #include <map>
 #include <sstream>
 
@@ -128,6 +129,19 @@ TEST(CsvTable, TracesItsPointOrTheMovingFramesOrigin) {
   EXPECT_EQ(traced_point(linkage), Point(7, 8));
   linkage.point = Point{1, 9};
   EXPECT_EQ(traced_point(linkage), Point(1, 9)) << "the file's own";
+}
+
+constexpr double undefined = std::numeric_limits<double>::quiet_NaN();
+
+TEST(MotionTable, IsALineARowAndNothingWhereNothingIsDefined) {
+  const MotionTable table{{"turn_deg", "rate", "position"}, {0, 0.1, 1, 1.5, undefined, undefined}};
+  EXPECT_EQ(table.rows(), 2u);
+  EXPECT_EQ(csv_text(table), "turn_deg,rate,position\n0,0.1,1\n1.5,,\n");
+}
+
+TEST(MotionTable, WithoutRowsIsItsHeader) {
+  EXPECT_EQ(csv_text({{"x", "y"}, {}}), "x,y\n");
+  EXPECT_EQ(MotionTable{}.rows(), 0u);
 }
 
 }  // namespace

@@ -8,7 +8,6 @@
 #include "bindings.hpp"
 #include "cancellation.hpp"
 #include "linkwright/drawing/svg_drawing.hpp"
-#include "linkwright/files/atomic_file.hpp"
 #include "linkwright/files/problem_file.hpp"
 #include "linkwright/files/result_file.hpp"
 #include "linkwright/files/task_label.hpp"

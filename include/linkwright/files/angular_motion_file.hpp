@@ -8,7 +8,6 @@
 #include "linkwright/attitude/angular_motion.hpp"
 #include "linkwright/attitude/euler_rates.hpp"
 #include "linkwright/attitude/point_motion.hpp"
-#include "linkwright/attitude/quaternion_rate.hpp"
 #include "linkwright/core/result.hpp"
 #include "linkwright/files/orientation_file.hpp"
 

@@ -1,13 +1,25 @@
 #pragma once
 
+#include <cstddef>
 #include <string>
 #include <vector>
 
 #include "linkwright/files/linkage_file.hpp"
-#include "linkwright/files/motion_table.hpp"
 #include "linkwright/mechanism/task_cycle.hpp"
 
 namespace linkwright {
+
+/// A motion as numbers: a row a state, a column a quantity.
+struct MotionTable {
+  std::vector<std::string> columns;  ///< names, units in them
+  std::vector<double> values;        ///< row-major; NaN: not defined there
+
+  [[nodiscard]] std::size_t rows() const { return columns.empty() ? 0 : values.size() / columns.size(); }
+};
+
+/// As comma-separated values, one header line and one line a row; nothing between two commas where it is not defined.
+/// Numbers read back bit-identical.
+[[nodiscard]] std::string csv_text(const MotionTable& table);
 
 /// The motion cycle from position 1 on (tabulated_cycle): the input's turn from position 1; the directions of the
 /// links, from fixed to moving pivot and from the input's to the output's, against the x axis of the fixed frame;

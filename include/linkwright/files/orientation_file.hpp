@@ -7,7 +7,6 @@
 
 #include "linkwright/attitude/axis_angle.hpp"
 #include "linkwright/attitude/euler_angles.hpp"
-#include "linkwright/attitude/resal_frame.hpp"
 #include "linkwright/attitude/rodrigues.hpp"
 #include "linkwright/attitude/rotation.hpp"
 #include "linkwright/attitude/rotation_vector.hpp"

@@ -7,8 +7,8 @@
 #include <vector>
 
 #include "linkwright/core/result.hpp"
+#include "linkwright/files/csv_table.hpp"
 #include "linkwright/files/linkage_file.hpp"
-#include "linkwright/files/motion_table.hpp"
 #include "linkwright/files/spherical_file.hpp"
 #include "linkwright/mechanism/linkage_type.hpp"
 #include "linkwright/mechanism/pose.hpp"

@@ -4,7 +4,7 @@
 #include <string>
 #include <vector>
 
-#include "linkwright/files/motion_table.hpp"
+#include "linkwright/files/csv_table.hpp"
 #include "linkwright/mechanism/pose.hpp"
 #include "linkwright/mechanism/spherical_analysis.hpp"
 #include "linkwright/mechanism/spherical_four_bar.hpp"

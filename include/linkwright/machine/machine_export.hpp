@@ -7,7 +7,7 @@
 
 #include "linkwright/core/result.hpp"
 #include "linkwright/files/six_bar_file.hpp"
-#include "linkwright/machine/mass_properties.hpp"
+#include "linkwright/machine/mesh.hpp"
 #include "linkwright/machine/plate_layers.hpp"
 
 namespace linkwright {

@@ -8,7 +8,7 @@
 #include <vector>
 
 #include "linkwright/algebra/point.hpp"
-#include "linkwright/attitude/given_orientation.hpp"
+#include "linkwright/attitude/quaternion.hpp"
 #include "linkwright/core/angle.hpp"
 
 namespace linkwright {

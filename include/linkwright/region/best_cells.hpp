@@ -2,8 +2,11 @@
 
 #include <array>
 #include <cstddef>
+#include <cstdint>
+#include <span>
 #include <vector>
 
+#include "linkwright/region/criterion.hpp"
 #include "linkwright/region/hill_climb.hpp"
 #include "linkwright/region/objective.hpp"
 #include "linkwright/region/requirement_filter.hpp"
@@ -41,5 +44,19 @@ struct ParetoCell {
 /// At most `most` ≥ 1 of a front, both ends among them, so that the steps between them are even in both objectives
 /// together, each counted by its range over the front.
 [[nodiscard]] std::vector<ParetoCell> spread_over(const std::vector<ParetoCell>& front, std::size_t most);
+
+/// The best cell of each row, or of each column, of a region.
+struct Ridge {
+  std::vector<float> value;            ///< 0 where no cell passes
+  std::vector<std::uint32_t> partner;  ///< its column (row); the first of equals
+};
+
+struct Ridges {
+  Ridge input, output;  ///< by row, by column
+};
+
+/// `values` and `failures`: of each cell, row-major; a cell passes where its failures are 0.
+[[nodiscard]] Ridges ridges(std::span<const float> values, std::span<const FailureBits> failures, std::size_t columns,
+                            bool larger_is_better);
 
 }  // namespace linkwright

@@ -10,7 +10,7 @@
 #include "linkwright/mechanism/travel.hpp"
 #include "linkwright/planar/burmester_curve.hpp"
 #include "linkwright/planar/display_order.hpp"
-#include "linkwright/region/ridge.hpp"
+#include "linkwright/region/best_cells.hpp"
 #include "linkwright/synthesis/answer.hpp"
 #include "linkwright/synthesis/solve.hpp"
 

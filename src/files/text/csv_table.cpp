@@ -1,9 +1,12 @@
 #include "linkwright/files/csv_table.hpp"
 
 #include <array>
+#include <cmath>
+#include <fmt/format.h>
 #include <limits>
 
 #include "linkwright/core/angle.hpp"
+#include "linkwright/files/number_text.hpp"
 #include "linkwright/mechanism/four_bar.hpp"
 #include "linkwright/mechanism/position.hpp"
 
@@ -78,6 +81,16 @@ std::vector<PrescribedPose> framed_poses(const StoredLinkage& linkage) {
 Point traced_point(const StoredLinkage& linkage) {
   if (linkage.point) return *linkage.point;
   return linkage.poses.empty() ? linkage.four_bar.input_circle : linkage.poses.front().pose.origin;
+}
+
+std::string csv_text(const MotionTable& table) {
+  std::string text = fmt::format("{}\n", fmt::join(table.columns, ","));
+  const std::size_t columns = table.columns.size();
+  for (std::size_t i = 0; i < table.values.size(); ++i) {
+    if (!std::isnan(table.values[i])) text += exact_text(table.values[i]);
+    text += (i + 1) % columns == 0 ? '\n' : ',';
+  }
+  return text;
 }
 
 }  // namespace linkwright

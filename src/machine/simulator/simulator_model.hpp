@@ -6,7 +6,7 @@
 #include <variant>
 #include <vector>
 
-#include "linkwright/machine/mass_properties.hpp"
+#include "linkwright/machine/mesh.hpp"
 
 namespace linkwright {
 
