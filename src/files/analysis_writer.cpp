@@ -1,127 +1,137 @@
 #include <fmt/format.h>
-#include <functional>
 
+#include "analysis_fields.hpp"
+#include "document_fields.hpp"
 #include "files/fields/field_writer.hpp"
 #include "files/instant_fields.hpp"
 #include "files/linkage_fields.hpp"
 #include "linkwright/core/angle.hpp"
-#include "linkwright/files/analysis_file.hpp"
 #include "linkwright/files/csv_table.hpp"
 #include "linkwright/files/label.hpp"
-#include "linkwright/files/problem_file.hpp"
-#include "position_error_writer.hpp"
-#include "problem_writer.hpp"
+#include "linkwright/files/position_error.hpp"
 
 namespace linkwright {
+
+void fields(FieldVisitor& v, const AngleRange& range) {
+  std::array<double, 2> ends = {degrees(range.from), degrees(range.to)};
+  v.pair(ends, {.form = "[from, to]", .name = "range_deg", .about = "[from, to]"});
+}
+
+static void fields(FieldVisitor& v, const PositionError& of) {
+  const auto& error = of.error;
+  v.object({.name = "position_error"}, [&](FieldVisitor& to) {
+    to.shown("position", of.position, Whole{2, forms::count.most});
+    to.shown("distance", error ? std::optional(error->distance) : std::nullopt, forms::not_negative);
+    to.shown("angle_deg", error ? std::optional(degrees(error->angle)) : std::nullopt, forms::arc_deg);
+  });
+}
+
+void position_errors_field(FieldVisitor& v, const AnyStoredLinkage& linkage) {
+  const Field field("position_errors",
+                    "How far the linkage is from each position of its file after the first where it comes nearest; "
+                    "null where its motion does not come there. Only of more than one position.");
+  const std::vector<PositionError> errors = position_errors(linkage);
+  v.shown_if_any(field, forms::where(!errors.empty(), errors), List{.what = "", .least = 1, .on_lines = true});
+}
+
+static void fields(FieldVisitor& v, const DeadPoint& dead_point) {
+  const Configuration& at = dead_point.configuration;
+  v.object({.name = "dead_point"}, [&](FieldVisitor& to) {
+    to.shown("input_angle_deg", degrees(at.input_angle));
+    to.shown("coupler_angle_deg", degrees(at.coupler_angle));
+    to.shown("output_angle_deg", degrees(at.output_angle));
+    to.shown(Field("extended", "The output's pivots lie on opposite sides of the moving joint."), dead_point.extended);
+  });
+}
+
+/// A four-bar in the configuration that is looked at.
+struct LookedAt {
+  FourBar four_bar;
+};
+
+static void fields(FieldVisitor& v, const LookedAt& of) {
+  v.object({.name = "configuration", .on_lines = true}, [&](FieldVisitor& to) {
+    to.shown("input_angle_deg", degrees(configuration_of(of.four_bar).input_angle));
+    to.shown("pivots", of.four_bar);
+  });
+}
+
 namespace {
 
-using Layout = JsonWriter::Layout;
-
-void write_ranges(JsonWriter& json, const std::vector<AngleRange>& ranges) {
-  json.begin_list();
-  for (const AngleRange& range : ranges) write_point(json, {degrees(range.from), degrees(range.to)});
-  json.end_list();
+auto angle(double Configuration::*which) {
+  return [which](const MotionState& state) { return degrees(state.configuration.*which); };
 }
 
-void write_dead_points(JsonWriter& json, const std::vector<DeadPoint>& dead_points) {
-  json.begin_list();
-  for (const DeadPoint& dead_point : dead_points) {
-    json.begin_object(Layout::one_line);
-    json.member("input_angle_deg", degrees(dead_point.configuration.input_angle));
-    json.member("coupler_angle_deg", degrees(dead_point.configuration.coupler_angle));
-    json.member("output_angle_deg", degrees(dead_point.configuration.output_angle));
-    json.member("extended", dead_point.extended);
-    json.end_object();
-  }
-  json.end_list();
+/// Infinite at a dead point.
+auto rate(double AngleRates::*which) {
+  return [which](const MotionState& state) { return state.rates ? (*state.rates).*which : Number::unlimited; };
 }
 
-using Quantity = std::function<double(const MotionState&)>;
-
-void write_column(JsonWriter& json, std::string_view key, const std::vector<MotionState>& motion,
-                  const Quantity& quantity) {
-  json.key(key);
-  json.begin_list(Layout::one_line);
-  for (const MotionState& state : motion) json.value(quantity(state));
-  json.end_list();
+void visit_motion(FieldVisitor& v, const std::vector<MotionState>& motion) {
+  const Object described = {"four_bar_motion", "The whole cycle of the motion by columns, a state to each element.",
+                            true};
+  v.object(described, [&](FieldVisitor& to) {
+    column(to, "input_angle_deg", motion, Number{}, angle(&Configuration::input_angle));
+    column(to, "coupler_angle_deg", motion, Number{}, angle(&Configuration::coupler_angle));
+    column(to, "output_angle_deg", motion, Number{}, angle(&Configuration::output_angle));
+    column(to, "coupler_point_x", motion, Number{}, [](const auto& state) { return state.coupler_point.real(); });
+    column(to, "coupler_point_y", motion, Number{}, [](const auto& state) { return state.coupler_point.imag(); });
+    column(to, "transmission_angle_deg", motion, forms::angle_deg,
+           [](const auto& state) { return degrees(state.transmission_angle); });
+    column(to, Field("coupler_rate", "First derivatives by the input angle; null at a dead point."), motion,
+           forms::or_infinite, rate(&AngleRates::coupler));
+    column(to, "output_rate", motion, forms::or_infinite, rate(&AngleRates::output));
+    column(to, Field("coupler_acceleration", "Second derivatives by the input angle; null at a dead point."), motion,
+           forms::or_infinite, rate(&AngleRates::coupler_acceleration));
+    column(to, "output_acceleration", motion, forms::or_infinite, rate(&AngleRates::output_acceleration));
+  });
 }
 
-/// A rate, or null (not a number) at a dead point.
-Quantity rate(double AngleRates::*which) {
-  return [which](const MotionState& state) { return state.rates ? (*state.rates).*which : Requirements::unlimited; };
+void type_fields(FieldVisitor& v, const LinkageAnalysis& of) {
+  using Change = ChangePointKind;
+  const Names<Change> changes = {{Change::crank_rocker, Change::rocker_crank, Change::double_crank,
+                                  Change::double_rocker, Change::parallelogram_or_kite, Change::rhombus}};
+  v.shown("type", of.type, forms::linkage_types);
+  v.shown(Field("change_point", "Of what kind it is; null of other types."),
+          forms::where(of.change_point != Change::none, of.change_point), changes);
+  v.shown("grashof", is_grashof(of.type));
+  v.shown(Field("input_is_crank", "It turns fully."), input_is_crank(of.type));
 }
 
-void write_motion(JsonWriter& json, const std::vector<MotionState>& motion) {
-  json.begin_object();
-  write_column(json, "input_angle_deg", motion,
-               [](const auto& state) { return degrees(state.configuration.input_angle); });
-  write_column(json, "coupler_angle_deg", motion,
-               [](const auto& state) { return degrees(state.configuration.coupler_angle); });
-  write_column(json, "output_angle_deg", motion,
-               [](const auto& state) { return degrees(state.configuration.output_angle); });
-  write_column(json, "coupler_point_x", motion, [](const auto& state) { return state.coupler_point.real(); });
-  write_column(json, "coupler_point_y", motion, [](const auto& state) { return state.coupler_point.imag(); });
-  write_column(json, "transmission_angle_deg", motion,
-               [](const auto& state) { return degrees(state.transmission_angle); });
-  write_column(json, "coupler_rate", motion, rate(&AngleRates::coupler));
-  write_column(json, "output_rate", motion, rate(&AngleRates::output));
-  write_column(json, "coupler_acceleration", motion, rate(&AngleRates::coupler_acceleration));
-  write_column(json, "output_acceleration", motion, rate(&AngleRates::output_acceleration));
-  json.end_object();
-}
-
-void write_instant_members(JsonWriter& json, const LinkageInstant& instant) {
-  json.key("configuration");
-  json.begin_object();
-  json.member("input_angle_deg", degrees(configuration_of(instant.four_bar).input_angle));
-  json.key("pivots");
-  write_pivots(json, instant.four_bar);
-  json.end_object();
-  json.key("instant");
-  write_fields(json, instant.analysis);
-}
-
-void write_members(JsonWriter& json, const LinkageAnalysis& analysis) {
-  json.member("linkwright", file_version);
-  json.member("title", std::string_view(analysis.linkage.title));
-  json.member("length_unit", std::string_view(analysis.linkage.length_unit));
-  json.key("pivots");
-  write_pivots(json, analysis.linkage.four_bar);
-  json.key("lengths");
-  write_fields(json, analysis.lengths);
-  json.member("type", name(analysis.type));
-  json.key("change_point");
-  analysis.change_point == ChangePointKind::none ? json.null() : json.value(name(analysis.change_point));
-  json.member("grashof", is_grashof(analysis.type));
-  json.member("input_is_crank", input_is_crank(analysis.type));
-  json.key("input_ranges_deg");
-  write_ranges(json, analysis.input_ranges);
-  json.key("dead_points");
-  write_dead_points(json, analysis.dead_points);
-  json.member("transmission_angle_deg", degrees(analysis.transmission_angle));
-  json.key("min_transmission_angle_full_turn_deg");
-  input_is_crank(analysis.type) ? json.value(degrees(analysis.min_transmission_angle_full_turn)) : json.null();
-  json.key("motion");
-  write_motion(json, analysis.motion);
-  write_position_errors(json, analysis.linkage);
-  if (analysis.instant) write_instant_members(json, *analysis.instant);
+void instant_fields(FieldVisitor& v, const std::optional<LinkageInstant>& instant) {
+  v.shown_if_any(Field("configuration", "With --instant: how the linkage lies there."),
+                 instant ? std::optional(LookedAt{instant->four_bar}) : std::nullopt);
+  v.shown_if_any("instant", instant ? std::optional(instant->analysis) : std::nullopt);
 }
 
 }  // namespace
+
+void fields(FieldVisitor& v, const LinkageAnalysis& of) {
+  const bool turns = input_is_crank(of.type);
+  const Object described = {"four_bar_analysis",
+                            "Of a planar four-bar. Angles are counted from the ground link's direction.", true};
+  v.object(described, [&](FieldVisitor& to) {
+    head_fields(to, of.linkage);
+    to.shown("pivots", of.linkage.four_bar);
+    to.shown("lengths", of.lengths);
+    type_fields(to, of);
+    to.shown(Field("input_ranges_deg", "Where the input can be."), of.input_ranges, forms::on_lines);
+    to.shown(Field("dead_points", "Of a driven input."), of.dead_points, forms::on_lines);
+    to.shown(Field("transmission_angle_deg", "As it lies."), degrees(of.transmission_angle), forms::angle_deg);
+    to.shown(Field("min_transmission_angle_full_turn_deg", "Cranks; else null."),
+             forms::where(turns, degrees(of.min_transmission_angle_full_turn)), forms::angle_deg);
+    to.member("motion", true, [&](FieldVisitor& at) { visit_motion(at, of.motion); });
+    position_errors_field(to, of.linkage);
+    instant_fields(to, of.instant);
+  });
+}
 
 LinkageAnalysis analyze(const StoredLinkage& linkage) {
   return {analyze(linkage.four_bar, traced_point(linkage)), linkage};
 }
 
 std::string write_analysis(const LinkageAnalysis& analysis) {
-  std::string text;
-  {
-    JsonWriter json([&text](std::string_view piece) { text += piece; });
-    json.begin_object();
-    write_members(json, analysis);
-    json.end_object();
-  }
-  return text;
+  return json_text_of([&](JsonWriter& json) { write_fields(json, analysis); });
 }
 
 Result<LinkageInstant> instant_of(const StoredLinkage& linkage, const InstantAsked& asked) {

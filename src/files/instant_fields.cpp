@@ -1,9 +1,10 @@
 #include "instant_fields.hpp"
 
+#include "analysis_fields.hpp"
+#include "document_fields.hpp"
 #include "files/fields/field_writer.hpp"
 #include "files/fields/result_forms.hpp"
 #include "linkwright/files/instant_file.hpp"
-#include "linkwright/files/problem_file.hpp"
 #include "problem_fields.hpp"
 #include "result_fields.hpp"
 
@@ -202,18 +203,20 @@ Result<PrescribedInstant> prescribed_instant(const Problem& problem, std::option
   return PrescribedInstant{pose, analyze_instant(pose, point), problem.title, problem.length_unit};
 }
 
+void fields(FieldVisitor& v, const PrescribedInstant& of) {
+  PrescribedPose pose = of.pose;
+  v.object({"prescribed_instant", "Of a motion that a problem file prescribes at one instant.", true},
+           [&](FieldVisitor& to) {
+             head_fields(to, of);
+             to.member("pose", true, [&](FieldVisitor& at) {
+               at.described_in("problem.schema.json#/$defs/pose", [&](FieldVisitor& in) { fields(in, pose); });
+             });
+             to.shown("instant", of.analysis);
+           });
+}
+
 std::string write_instant(const PrescribedInstant& instant) {
-  return json_text_of([&](JsonWriter& json) {
-    json.begin_object();
-    json.member("linkwright", file_version);
-    json.member("title", std::string_view(instant.title));
-    json.member("length_unit", std::string_view(instant.length_unit));
-    json.key("pose");
-    write_fields(json, instant.pose);
-    json.key("instant");
-    write_fields(json, instant.analysis);
-    json.end_object();
-  });
+  return json_text_of([&](JsonWriter& json) { write_fields(json, instant); });
 }
 
 }  // namespace linkwright

@@ -32,6 +32,15 @@ void fields(FieldVisitor& v, const Defects& defects) {
   });
 }
 
+void fields(FieldVisitor& v, const FourBar& four_bar) {
+  v.object({.name = "pivots", .on_lines = true}, [&](FieldVisitor& to) {
+    to.shown("input_center", four_bar.input_center, forms::shown_point);
+    to.shown("input_circle", four_bar.input_circle, forms::shown_point);
+    to.shown("output_center", four_bar.output_center, forms::shown_point);
+    to.shown("output_circle", four_bar.output_circle, forms::shown_point);
+  });
+}
+
 void fields(FieldVisitor& v, const TracingFourBar& linkage) {
   v.object({.name = "tracing_pivots", .on_lines = true}, [&](FieldVisitor& to) {
     to.shown("input_fixed", linkage.bars.input_center, forms::shown_point);

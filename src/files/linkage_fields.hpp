@@ -10,6 +10,8 @@ namespace linkwright {
 
 void fields(FieldVisitor& v, const LinkLengths& lengths);
 void fields(FieldVisitor& v, const Defects& defects);
+/// The pivots.
+void fields(FieldVisitor& v, const FourBar& four_bar);
 /// The pivots and the point of the coupler.
 void fields(FieldVisitor& v, const TracingFourBar& linkage);
 

@@ -12,10 +12,12 @@ namespace {
 
 constexpr double is_met = 1e-6;  // of the longest link, radians: linkages that are solved for are nearer by far
 
-template <class States, class PoseOf, class ErrorOf>
-std::vector<PositionError> errors_in(const States& states, std::size_t positions, const PoseOf& pose_of,
+template <class StatesOf, class PoseOf, class ErrorOf>
+std::vector<PositionError> errors_in(const StatesOf& states_of, std::size_t positions, const PoseOf& pose_of,
                                      const ErrorOf& error_of) {
   std::vector<PositionError> errors;
+  if (positions < 2) return errors;
+  const auto states = states_of();
   for (int pose = 1; pose < static_cast<int>(positions); ++pose) {
     const auto found =
         std::find_if(states.begin(), states.end(), [&](const auto& state) { return pose_of(state) == pose; });
@@ -25,25 +27,23 @@ std::vector<PositionError> errors_in(const States& states, std::size_t positions
 }
 
 std::vector<PositionError> errors_of(const StoredLinkage& linkage) {
-  return errors_in(
-      tabulated_cycle(linkage), linkage.poses.size(), [](const CycleState& state) { return state.pose; },
-      [](const CycleState& state) { return state.error; });
+  return errors_in([&] { return tabulated_cycle(linkage); }, linkage.poses.size(),
+                   [](const CycleState& state) { return state.pose; },
+                   [](const CycleState& state) { return state.error; });
 }
 
 std::vector<PositionError> errors_of(const StoredSixBar& linkage) {
-  const SixBarMotion motion = tabulated_motion(linkage.six_bar, framed_poses(linkage));
-  return errors_in(
-      motion.states, linkage.poses.size(), [](const SixBarMotionState& state) { return state.place.pose; },
-      [](const SixBarMotionState& state) { return state.place.error; });
+  return errors_in([&] { return tabulated_motion(linkage.six_bar, linkage.poses).states; }, linkage.poses.size(),
+                   [](const SixBarMotionState& state) { return state.place.pose; },
+                   [](const SixBarMotionState& state) { return state.place.error; });
 }
 
 std::vector<PositionError> errors_of(const StoredSphericalFourBar& linkage) {
-  return errors_in(
-      analyze(linkage).motion, linkage.orientations.size(),
-      [](const SphericalState& state) { return state.position.value_or(0) - 1; },
-      [](const SphericalState& state) {
-        return BodyError{0, state.orientation_error};
-      });
+  return errors_in([&] { return analyze(linkage).motion; }, linkage.orientations.size(),
+                   [](const SphericalState& state) { return state.position.value_or(0) - 1; },
+                   [](const SphericalState& state) {
+                     return BodyError{0, state.orientation_error};
+                   });
 }
 
 double longest_link(const StoredLinkage& linkage) { return linkage.four_bar.lengths().longest(); }

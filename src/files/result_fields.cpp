@@ -3,11 +3,11 @@
 #include <algorithm>
 #include <array>
 
+#include "document_fields.hpp"
 #include "files/fields/field_writer.hpp"
 #include "files/fields/result_forms.hpp"
 #include "kinds/kinds.hpp"
 #include "linkwright/files/number_text.hpp"
-#include "linkwright/files/problem_file.hpp"
 #include "linkwright/files/result_file.hpp"
 #include "problem_fields.hpp"
 #include "region_arrays.hpp"
@@ -401,7 +401,7 @@ void visit_requirements(FieldVisitor& v, const List& list, const std::vector<Req
 void fields(FieldVisitor& v, const ResultRecord& of) {
   const Findings& found = findings(of.answer);
   v.object({.on_lines = true}, [&](FieldVisitor& to) {
-    to.shown("linkwright", double{file_version}, Number{.least = file_version, .most = file_version});
+    version_field(to);
     problem_field(to, of.problem, found);
     finding_fields(to, found);
     curve_field(to, of.answer);

@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "fields/field_visitor.hpp"
+#include "linkwright/analyses/tolerance_study.hpp"
 #include "linkwright/core/progress.hpp"
 #include "linkwright/mechanism/linkage_output.hpp"
 #include "linkwright/region/added_measures.hpp"
@@ -42,6 +43,9 @@ struct ToleranceRecord {
   std::uint64_t seed;
 };
 void fields(FieldVisitor& v, const ToleranceRecord& of);
+
+/// A file of its own.
+void fields(FieldVisitor& v, const ToleranceStudy& of);
 
 /// The member `tolerance` of the linkage number `place` of an answer; null: of one that is in no list.
 void tolerance_field(FieldVisitor& v, const Findings* found, std::size_t place);

@@ -1,10 +1,9 @@
+#include "files/document_fields.hpp"
 #include "files/fields/field_writer.hpp"
 #include "files/fields/result_forms.hpp"
 #include "files/problem_fields.hpp"
 #include "files/result_fields.hpp"
-#include "linkwright/analyses/tolerance_study.hpp"
 #include "linkwright/files/number_text.hpp"
-#include "linkwright/files/problem_file.hpp"
 #include "tolerance_analysis.hpp"
 
 namespace linkwright {
@@ -106,18 +105,21 @@ void tolerance_field(FieldVisitor& v, const Findings* found, std::size_t place) 
            });
 }
 
+void fields(FieldVisitor& v, const ToleranceStudy& of) {
+  Tolerances tolerances = of.tolerances;
+  v.object({"tolerance_study", "Of one linkage of a result, with the tolerances that were used.", true},
+           [&](FieldVisitor& to) {
+             head_fields(to, of);
+             to.member("tolerances", true, [&](FieldVisitor& at) {
+               at.described_in("problem.schema.json#/$defs/tolerances",
+                               [&](FieldVisitor& in) { fields(in, tolerances); });
+             });
+             to.shown("tolerance", ToleranceRecord{of.report, of.tolerances.seed});
+           });
+}
+
 std::string write_tolerance_study(const ToleranceStudy& study) {
-  return json_text_of([&](JsonWriter& json) {
-    json.begin_object();
-    json.member("linkwright", file_version);
-    json.member("title", std::string_view(study.title));
-    json.member("length_unit", std::string_view(study.length_unit));
-    json.key("tolerances");
-    write_fields(json, study.tolerances);
-    json.key("tolerance");
-    write_fields(json, ToleranceRecord{study.report, study.tolerances.seed});
-    json.end_object();
-  });
+  return json_text_of([&](JsonWriter& json) { write_fields(json, study); });
 }
 
 }  // namespace linkwright

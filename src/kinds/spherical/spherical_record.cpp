@@ -30,6 +30,15 @@ void fields(FieldVisitor& v, const LinkAngles& angles) {
   });
 }
 
+void fields(FieldVisitor& v, const SphericalFourBar& bars) {
+  v.object({.name = "axes", .on_lines = true}, [&](FieldVisitor& to) {
+    to.shown("input_fixed", bars.input_fixed, forms::axis);
+    to.shown("input_moving", bars.input_moving, forms::axis);
+    to.shown("output_moving", bars.output_moving, forms::axis);
+    to.shown("output_fixed", bars.output_fixed, forms::axis);
+  });
+}
+
 void fields(FieldVisitor& v, const SphericalDyadRecord& of) {
   v.object({.name = "spherical_dyad", .about = about_dyads, .on_lines = true},
            [&](FieldVisitor& to) { dyad_fields(to, of.dyad, of.residual); });
@@ -75,13 +84,11 @@ void note_fields(FieldVisitor& v, const SphericalNotes& notes) {
 }
 
 void triple_rocker_field(FieldVisitor& v, const LinkAngles& angles) {
-  using Swing = TripleRockerKind;
-  const Swing kind = triple_rocker_kind(angles);
+  const TripleRockerKind kind = triple_rocker_kind(angles);
   v.shown_if_any(Field("triple_rocker",
                        "About what input and output swing: 0 the arc between the fixed axes (the output: its "
                        "continuation), pi the opposite."),
-                 forms::where(kind != Swing::none, kind),
-                 Names<Swing>{{Swing::zero_zero, Swing::zero_pi, Swing::pi_zero, Swing::pi_pi}});
+                 forms::where(kind != TripleRockerKind::none, kind), triple_rockers);
 }
 
 void residual_fields(FieldVisitor& v, const SphericalSolution& found) {

@@ -5,12 +5,16 @@
 
 #include "fields/field_visitor.hpp"
 #include "files/listed_notes.hpp"
+#include "linkwright/mechanism/spherical_defects.hpp"
 #include "linkwright/spherical/spherical_solution.hpp"
 
 namespace linkwright {
 
 /// In degrees.
 void fields(FieldVisitor& v, const LinkAngles& angles);
+
+/// The axes.
+void fields(FieldVisitor& v, const SphericalFourBar& bars);
 
 struct SphericalDyadRecord {
   const SphericalDyad& dyad;
@@ -36,5 +40,9 @@ struct SphericalRecord {
   SphericalNotes notes;
 };
 void fields(FieldVisitor& v, const SphericalRecord& of);
+
+/// About what input and output swing.
+inline const Names<TripleRockerKind> triple_rockers = {
+    {TripleRockerKind::zero_zero, TripleRockerKind::zero_pi, TripleRockerKind::pi_zero, TripleRockerKind::pi_pi}};
 
 }  // namespace linkwright

@@ -2,6 +2,7 @@
 import type {Box, Chain, Orientation, Pose, Problem, StraightLineTask} from "./problem";
 
 export interface ResultFile {
+  /** Version of the file format. */
   linkwright: 1;
   /** Echo of the problem with the defaults that were used. */
   problem: Problem;
