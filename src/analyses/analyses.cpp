@@ -16,4 +16,8 @@ void report_analyses(Answer& answer, const Progress& progress) {
 
 void report_fields(FieldVisitor& v, const Findings* found, std::size_t place) { tolerance_field(v, found, place); }
 
+std::vector<Shape> study_documents() {
+  return {{JsonType::object, [](FieldVisitor& v) { fields(v, ToleranceStudy{}); }}};
+}
+
 }  // namespace linkwright

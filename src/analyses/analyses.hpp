@@ -1,6 +1,7 @@
 #pragma once
 
 #include <cstddef>
+#include <vector>
 
 #include "fields/field_visitor.hpp"
 #include "linkwright/core/progress.hpp"
@@ -24,5 +25,8 @@ void report_analyses(Answer& answer, const Progress& progress = {});
 
 /// The members of the linkage number `place` of an answer in a result file; null: of one that is in no list.
 void report_fields(FieldVisitor& v, const Findings* found, std::size_t place);
+
+/// The files that studies of one linkage write.
+[[nodiscard]] std::vector<Shape> study_documents();
 
 }  // namespace linkwright

@@ -5,11 +5,7 @@ import math
 import unittest
 
 from face_support import ROOT, TAILGATE, FaceTest, load, run
-
-try:
-    import jsonschema
-except ImportError:
-    jsonschema = None
+from schema_test import jsonschema, validator
 
 GOESSNER = load(ROOT / "data/instant/goessner.json")
 FOUR_BAR = {"lengths": {"ground": 3.5, "input": 1, "coupler": 3, "output": 2.5}, "length_unit": "mm"}
@@ -95,12 +91,11 @@ class Instant(FaceTest):
 
     @unittest.skipIf(jsonschema is None, "python3-jsonschema is not installed")
     def test_keeps_to_the_schema(self):
-        schema = load(ROOT / "schema/result.schema.json")
-        validator = jsonschema.Draft202012Validator({"$ref": "#/$defs/instant", "$defs": schema["$defs"]})
+        analysis = validator("analysis")
         for linkage in (FOUR_BAR, WHEEL, pivots([0, 0], [0, 1], [3, 4], [3, 1.5]), pivots([0, 0], [1, 2], [4, 0], [5, 2]),
                         pivots([0, 0], [1, 0], [4, 0], [3, 0]), pivots([0, 0], [1, 1], [4, -2], [3, -1])):
             for flags in ((), ("--point", "2,3")):
-                validator.validate(self.instant(linkage, *flags)["instant"])
+                analysis.validate(self.instant(linkage, *flags))
 
 
 class Refusals(FaceTest):

@@ -42,12 +42,15 @@ BEYOND_STRUCTURE = ("same", "above the upper", "max_length", "at infinity", "in 
                     "lies on the line", "is where the coupler point is", "above the largest", "keep x within", "are the most that")
 
 
+def validator(name):
+    """Of schema/NAME.schema.json, which may refer to that of problems."""
+    problem, schema = (load(ROOT / f"schema/{one}.schema.json") for one in ("problem", name))
+    resolver = jsonschema.RefResolver.from_schema(schema, store={problem["$id"]: problem})
+    return jsonschema.Draft202012Validator(schema, resolver=resolver)
+
+
 def schemas():
-    problem = load(ROOT / "schema/problem.schema.json")
-    result = load(ROOT / "schema/result.schema.json")
-    resolver = jsonschema.RefResolver.from_schema(result, store={problem["$id"]: problem})
-    kind = jsonschema.Draft202012Validator
-    return kind(problem), kind(result, resolver=resolver)
+    return validator("problem"), validator("result")
 
 
 @unittest.skipIf(jsonschema is None, "python3-jsonschema is not installed")
@@ -57,8 +60,9 @@ class Schemas(FaceTest):
         cls.problem, cls.result = schemas()
 
     def test_are_schemas(self):
-        for validator in (self.problem, self.result):
-            validator.check_schema(validator.schema)
+        for name in ("problem", "result", "analysis", "sweep"):
+            schema = load(ROOT / f"schema/{name}.schema.json")
+            jsonschema.Draft202012Validator.check_schema(schema)
 
     def test_examples_are_problems(self):
         examples = sorted((ROOT / "examples").glob("*.json"))
@@ -125,6 +129,40 @@ class Schemas(FaceTest):
             status, output, _ = run("solve", self.write("problem.json", problem), "--samples", 40, "-o", "-", "--region")
             self.assertEqual(status, 0)
             self.result.validate(json.loads(output))
+
+    def check_analysis(self, linkage, *flags):
+        ran = run("analyze", linkage, *flags, "-o", "-")
+        self.assertEqual((ran[0], ran[2]), (0, ""))
+        validator("analysis").validate(json.loads(ran[1]))
+        return json.loads(ran[1])
+
+    def test_analyses_of_linkages_found_are_analyses(self):
+        result, linkage = self.folder / "result.json", self.folder / "linkage.json"
+        for name in ("tailgate", "hood_hinge", "flow_meter", "loader_bucket_chain", "wrist_orthosis", "straight_stage"):
+            with self.subTest(name):
+                self.assertEqual(run("solve", ROOT / f"examples/{name}.json", "--samples", 40, "-o", result)[0], 0)
+                self.assertEqual(run("export", result, "--format", "json", "-o", linkage)[0], 0)
+                analysis = self.check_analysis(linkage)
+                self.assertEqual("position_errors" in analysis, not name.startswith("straight"))
+                if "mechanism" not in analysis:
+                    self.check_analysis(linkage, "--instant")
+
+    def test_analyses_of_bare_linkages_are_analyses(self):
+        names = ("ground", "input", "coupler", "output")
+        lengths = ((4, 1, 3, 3.5), (4, 5, 3, 3), (1, 3, 3, 4), (4, 2, 4, 2), (4, 3, 2, 1), (2, 2, 2, 2), (5, 3, 1, 4))
+        angles = ((80, 30, 70, 75), (80, 70, 30, 45), (100, 110, 120, 95), (40, 60, 50, 55))
+        for key, values in ([("lengths", each) for each in lengths] + [("angles_deg", each) for each in angles]):
+            linkage = {key: dict(zip(names, values, strict=True))}
+            if key == "angles_deg":
+                linkage["mechanism"] = "spherical_four_bar"
+            with self.subTest(key, values=values):
+                self.check_analysis(self.write("linkage.json", linkage))
+
+    def test_analyses_with_more_are_refused(self):
+        linkage = {"lengths": {"ground": 4, "input": 1, "coupler": 3, "output": 3.5}}
+        analysis = self.check_analysis(self.write("linkage.json", linkage))
+        for more in ({"mechanism": "four_bar"}, {"linkwright": 2}, {"motion": {**analysis["motion"], "speed": [1]}}, {"type": "slider"}):
+            self.assertFalse(validator("analysis").is_valid({**analysis, **more}), more)
 
     def test_bad_problems_are_refused_alike(self):
         checked = 0

@@ -13,7 +13,7 @@ import unittest
 from pathlib import Path
 
 from face_support import CLI, ROOT, FaceTest, load, run
-from schema_test import jsonschema
+from schema_test import jsonschema, validator
 
 try:
     import h5py
@@ -340,13 +340,10 @@ class Sweeps(SweepTest):
 
     @unittest.skipIf(jsonschema is None, "python3-jsonschema is not installed")
     def test_examples_keep_the_schema(self):
-        problem, sweep = (load(ROOT / f"schema/{name}.schema.json") for name in ("problem", "sweep"))
-        resolver = jsonschema.RefResolver.from_schema(sweep, store={problem["$id"]: problem, "problem.schema.json": problem})
-        validator = jsonschema.Draft202012Validator(sweep, resolver=resolver)
-        validator.check_schema(sweep)
+        sweep = validator("sweep")
         for example in SWEEPS:
-            validator.validate(load(example))
-        self.assertFalse(validator.is_valid({**sweep_of(4), "sampling": {"method": "grid", "samples": 4}}))
+            sweep.validate(load(example))
+        self.assertFalse(sweep.is_valid({**sweep_of(4), "sampling": {"method": "grid", "samples": 4}}))
 
 
 @unittest.skipIf(h5py is None, "python3-h5py is not installed")

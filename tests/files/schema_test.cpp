@@ -37,9 +37,16 @@ TEST(ResultSchema, IsWhatTheFieldsSayAndTheRulesBetweenThem) {
   expect_generated("/schema/result.schema.json", readable(result_schema(rules_of("result"))) + "\n");
 }
 
+TEST(AnalysisSchema, IsWhatTheFieldsSayAndTheRulesBetweenThem) {
+  expect_generated("/schema/analysis.schema.json", readable(analysis_schema(rules_of("analysis"))) + "\n");
+}
+
 // A rule of a definition that has another name would make one that nothing refers to.
 TEST(ProblemSchema, HasNoDefinitionThatNothingRefersTo) { expect_all_referred_to(problem_schema(rules_of("problem"))); }
 TEST(ResultSchema, HasNoDefinitionThatNothingRefersTo) { expect_all_referred_to(result_schema(rules_of("result"))); }
+TEST(AnalysisSchema, HasNoDefinitionThatNothingRefersTo) {
+  expect_all_referred_to(analysis_schema(rules_of("analysis")));
+}
 
 TEST(ProblemSchema, IsInTheTypesOfThePage) {
   expect_generated(

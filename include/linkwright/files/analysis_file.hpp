@@ -26,7 +26,7 @@ struct InstantAsked {
 /// Traced is traced_point().
 [[nodiscard]] LinkageAnalysis analyze(const StoredLinkage& linkage);
 
-/// The analysis as JSON text: angles in degrees with `_deg`, columns of the motion by name.
+/// As JSON text (schema/analysis.schema.json): angles in degrees with `_deg`, columns of the motion by name.
 [[nodiscard]] std::string write_analysis(const LinkageAnalysis& analysis);
 
 }  // namespace linkwright

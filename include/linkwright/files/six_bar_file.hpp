@@ -72,7 +72,7 @@ struct StoredSixBarAnalysis : SixBarAnalysis {
 };
 [[nodiscard]] StoredSixBarAnalysis analyze(const StoredSixBar& linkage);
 
-/// The analysis as JSON text: angles in degrees with `_deg`, columns of the motion by name.
+/// As JSON text (schema/analysis.schema.json): angles in degrees with `_deg`, columns of the motion by name.
 [[nodiscard]] std::string write_analysis(const StoredSixBarAnalysis& analysis);
 
 }  // namespace linkwright

@@ -28,7 +28,7 @@ struct StoredSphericalAnalysis : SphericalAnalysis {
 };
 [[nodiscard]] StoredSphericalAnalysis analyze(const StoredSphericalFourBar& linkage);
 
-/// The analysis as JSON text: angles in degrees with `_deg`, columns of the motion by name.
+/// As JSON text (schema/analysis.schema.json): angles in degrees with `_deg`, columns of the motion by name.
 [[nodiscard]] std::string write_analysis(const StoredSphericalAnalysis& analysis);
 
 /// A motion, a row a state: input and output angle in degrees, both moving axes, the coupler's orientation against

@@ -4,7 +4,9 @@
 #include <fmt/format.h>
 #include <utility>
 
+#include "analyses/analyses.hpp"
 #include "field_writer.hpp"
+#include "files/analysis_fields.hpp"
 #include "files/json/json_writer.hpp"
 #include "files/problem_fields.hpp"
 #include "files/result_fields.hpp"
@@ -256,6 +258,24 @@ Json problem_schema(const Json& rules) {
 Json result_schema(const Json& rules) {
   FieldSchema visitor(FieldSchema::Defaults::left_out);
   fields(visitor, ResultRecord{Problem(), MotionAnswer()});
+  return with_rules(visitor, rules);
+}
+
+namespace {
+
+template <class Document>
+Shape document() {
+  return {JsonType::object, [](FieldVisitor& to) { fields(to, Document{}); }};
+}
+
+}  // namespace
+
+Json analysis_schema(const Json& rules) {
+  FieldSchema visitor(FieldSchema::Defaults::left_out);
+  std::vector<Shape> documents = {document<LinkageAnalysis>(), document<StoredSixBarAnalysis>(),
+                                  document<StoredSphericalAnalysis>(), document<PrescribedInstant>()};
+  for (Shape& study : study_documents()) documents.push_back(std::move(study));
+  visitor.shapes(0, documents, std::nullopt);
   return with_rules(visitor, rules);
 }
 

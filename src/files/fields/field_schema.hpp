@@ -62,6 +62,9 @@ class FieldSchema final : public FieldVisitor {
 /// The schema of result files, likewise.
 [[nodiscard]] FieldSchema::Json result_schema(const FieldSchema::Json& rules = FieldSchema::Json::object());
 
+/// The schema of what `linkwright analyze` and `linkwright tolerance` write, likewise.
+[[nodiscard]] FieldSchema::Json analysis_schema(const FieldSchema::Json& rules = FieldSchema::Json::object());
+
 /// As people read it: what fits on a line of 120 characters is on one.
 [[nodiscard]] std::string readable(const FieldSchema::Json& json, std::size_t indent = 0, std::size_t beside = 0);
 
