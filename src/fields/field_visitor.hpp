@@ -73,6 +73,7 @@ struct Number {
   double least = -unlimited, most = unlimited;
   bool above = false, below = false;  ///< the least, the most itself is outside
   bool is_angle = false;              ///< radians in the struct, degrees in files
+  bool is_whole = false;              ///< fractions are beyond the bounds, too
   std::optional<double> null = {};    ///< what null stands for, in the struct; nothing: it may not be null
   bool shows_null = false;            ///< what null stands for is written as null
   std::string_view name = "";         ///< of such numbers in the schema
@@ -163,10 +164,11 @@ struct Kind {
   KeptVisit task;
 };
 enum class JsonType : std::uint8_t { number, text, list, object };
-/// A value of that type.
+/// A value of that type; of texts `only` this one, where it is not empty.
 struct Shape {
   JsonType type;
   KeptVisit value;
+  std::string_view only = "";
 };
 
 /// Walks a struct's members in the order in which they are written.
@@ -197,7 +199,12 @@ class FieldVisitor {
   virtual bool member(const Field& field, bool is_required, Visit value) = 0;
   virtual void constant(std::string_view key, std::string_view value) = 0;
   /// A member that belongs elsewhere: why it is refused.
-  virtual void refuse(std::string_view /*key*/, std::string_view /*code*/, const std::string& /*message*/) {}
+  virtual void refuse(std::string_view /*key*/, std::string_view /*code*/, const std::string& /*message*/,
+                      const Values& /*values*/ = {}) {}
+  /// The object has this member, where that decides on others; to those who write and describe it has not.
+  [[nodiscard]] virtual bool has(std::string_view /*key*/) const { return false; }
+  /// All keys of the object as they are told to those who use others, where members are read in another order; first.
+  virtual void keys(std::span<const std::string_view> /*in_order*/) {}
   /// One of several sets of members, by which keys are there; `current`: the one in the struct.
   virtual void one_of(std::size_t current, std::span<const Alternative> alternatives, const OneOf& mistakes) = 0;
   /// A member with a name, and the members that go with it.

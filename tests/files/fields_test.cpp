@@ -30,15 +30,36 @@ void fields(FieldVisitor& v, Door& door) {
   });
 }
 
+/// Always open, or opened by digits; how many may be told where none are given.
+struct Lock {
+  double count = 0;
+  bool is_open = false;
+  std::vector<double> digits;
+};
+
+void fields(FieldVisitor& v, Lock& lock) {
+  static constexpr std::array<std::string_view, 2> keys = {"opened_by", "count"};
+  const Wanted wanted = {"digits", "a list of digits, or \"nothing\""};
+  const std::array shapes = {Shape{JsonType::text, [&](FieldVisitor&) { lock.is_open = true; }, "nothing"},
+                             Shape{JsonType::list, [&](FieldVisitor& to) { visit(to, lock.digits, List{wanted}); }}};
+  v.object({.name = "lock"}, [&](FieldVisitor& to) {
+    to.keys(keys);
+    if (to.has("opened_by")) to.refuse("count", "counted", "the digits are counted", {{"key", "count"}});
+    to.optional("count", lock.count, Number{.least = 1, .most = 9007199254740992, .is_whole = true});
+    to.member("opened_by", false, [&](FieldVisitor& at) { at.shapes(1, shapes, wanted); });
+  });
+}
+
 std::string written(const Door& door) {
   return json_text_of([&](JsonWriter& json) { write_fields(json, door); });
 }
 
-std::pair<std::optional<Door>, std::vector<Error>> read(const std::string& text) {
+template <class Struct = Door>
+std::pair<std::optional<Struct>, std::vector<Error>> read(const std::string& text) {
   const auto json = nlohmann::json::parse(text);
   Mistakes mistakes;
-  auto door = read_fields<Door>(JsonValue(json, "door", mistakes), mistakes);
-  return {door, mistakes.take()};
+  auto held = read_fields<Struct>(JsonValue(json, "door", mistakes), mistakes);
+  return {held, mistakes.take()};
 }
 
 TEST(Fields, WriteWhatTheyRead) {
@@ -66,6 +87,35 @@ TEST(Fields, SayWhatIsWrongAndWhere) {
   for (const Error& error : errors) places.push_back(error.place);
   EXPECT_EQ(places,
             (std::vector<std::string>{"door.widht", "door.width", "door.opening_deg", "door.swing", "door.hinges[1]"}));
+}
+
+TEST(Fields, TellTheirKeysInAnOrderOfTheirOwn) {
+  EXPECT_EQ(read<Lock>(R"({"zzz": 1})").second.front().message,
+            "this key is not known here; known are \"opened_by\", \"count\"");
+}
+
+TEST(Fields, MayRefuseOneMemberForAnother) {
+  EXPECT_TRUE(read<Lock>(R"({"count": 3})").first);
+  const auto [lock, errors] = read<Lock>(R"({"count": 3, "opened_by": [1]})");
+  ASSERT_EQ(errors.size(), 1u);
+  EXPECT_EQ(errors.front().code, "counted");
+  EXPECT_EQ(errors.front().place, "door.count");
+  EXPECT_EQ(errors.front().values.front().name, "key");
+}
+
+TEST(Fields, MayWantOneTextOnly) {
+  EXPECT_TRUE(read<Lock>(R"({"opened_by": "nothing"})").first->is_open);
+  EXPECT_EQ(read<Lock>(R"({"opened_by": "magic"})").second.front().message,
+            "a list of digits, or \"nothing\" belongs here, not a text");
+}
+
+TEST(Fields, AreDescribedByWholeNumbersAndByOneText) {
+  FieldSchema visitor;
+  Lock lock;
+  visit(visitor, lock);
+  const auto members = visitor.take().at("$defs").at("lock").at("properties");
+  EXPECT_EQ(members.at("count").dump(), R"({"type":"integer","minimum":1,"maximum":9007199254740992,"default":0})");
+  EXPECT_EQ(members.at("opened_by").at("anyOf").at(0).dump(), R"({"const":"nothing"})");
 }
 
 TEST(Fields, AreDescribed) {

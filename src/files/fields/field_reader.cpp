@@ -54,8 +54,14 @@ void FieldReader::constant(std::string_view key, std::string_view /*value*/) {
   if (is_listing_) known_.push_back(key);
 }
 
-void FieldReader::refuse(std::string_view key, std::string_view code, const std::string& message) {
-  member(key, false, [&](FieldVisitor& to) { to.mistake(code, message, {}); });
+void FieldReader::refuse(std::string_view key, std::string_view code, const std::string& message,
+                         const Values& values) {
+  member(key, false, [&](FieldVisitor& to) { to.mistake(code, message, values); });
+}
+
+void FieldReader::keys(std::span<const std::string_view> in_order) {
+  if (is_listing_) known_.assign(in_order.begin(), in_order.end());
+  told_ = in_order.size();
 }
 
 void FieldReader::list_keys_of(std::span<const Alternative> alternatives) {
@@ -130,7 +136,9 @@ void FieldReader::orientation(GivenOrientation& orientation) {
 void FieldReader::look_for_foreign_keys(Visit members) {
   is_listing_ = true;
   known_.clear();
+  told_ = 0;
   members(*this);
+  if (told_ > 0) known_.resize(told_);
   is_listing_ = false;
   if (others_ == OtherMembers::refused) (void)JsonObject(at_, mistakes_, std::span<const std::string_view>(known_));
 }
@@ -145,7 +153,7 @@ void FieldReader::object(const Object& /*described*/, Visit members) {
 
 void FieldReader::shapes(std::size_t /*current*/, std::span<const Shape> shapes, std::optional<Wanted> otherwise) {
   for (const Shape& shape : shapes)
-    if (is_of(shape.type, at_.json())) return shape.value(*this);
+    if (is_of(shape.type, at_.json()) && (shape.only.empty() || at_.json() == shape.only)) return shape.value(*this);
   otherwise ? at_.wrong_type(*otherwise) : shapes.back().value(*this);
 }
 

@@ -20,7 +20,9 @@ class FieldReader final : public FieldVisitor {
 
   bool member(const Field& field, bool is_required, Visit value) override;
   void constant(std::string_view key, std::string_view value) override;
-  void refuse(std::string_view key, std::string_view code, const std::string& message) override;
+  void refuse(std::string_view key, std::string_view code, const std::string& message, const Values& values) override;
+  bool has(std::string_view key) const override;
+  void keys(std::span<const std::string_view> in_order) override;
   void one_of(std::size_t current, std::span<const Alternative> alternatives, const OneOf& wrong) override;
   void switch_on(const Field& field, std::size_t current, std::span<const Case> cases) override;
   void orientation(GivenOrientation& orientation) override;
@@ -44,7 +46,6 @@ class FieldReader final : public FieldVisitor {
 
  private:
   bool read_at(JsonValue place, Visit value);
-  bool has(std::string_view key) const;
   /// A key is none that is known here, and like one of theirs.
   bool misspells_one_of(std::span<const Alternative> alternatives) const;
   void look_for_foreign_keys(Visit members);
@@ -55,6 +56,7 @@ class FieldReader final : public FieldVisitor {
   OtherMembers others_;
   // Of the object in hand.
   std::vector<std::string_view> known_;  ///< its keys
+  std::size_t told_ = 0;                 ///< how many of them keys() told, which are all then; otherwise 0
   bool is_listing_ = false;              ///< these keys are gathered, and nothing read
   std::size_t mistakes_before_ = 0;
 };

@@ -17,8 +17,8 @@ namespace {
 using Json = FieldSchema::Json;
 
 Json bound(double value) {
-  constexpr double exact = 1e15;
-  if (std::abs(value) < exact && value == std::floor(value)) return static_cast<std::int64_t>(value);
+  constexpr double exact = 9007199254740992;  // 2^53
+  if (std::abs(value) <= exact && value == std::floor(value)) return static_cast<std::int64_t>(value);
   return value;
 }
 
@@ -59,9 +59,12 @@ Json written(Visit value) {
 
 }  // namespace
 
-Json FieldSchema::take() {
-  Json whole = std::exchange(schema_, Json::object());
+Json FieldSchema::take(const Json& rules) {
+  Json whole = rules;
+  whole.erase("$defs");
+  whole.update(std::exchange(schema_, Json::object()));
   whole["$defs"] = std::exchange(definitions_, Json::object());
+  whole.merge_patch(rules);
   return whole;
 }
 
@@ -149,7 +152,7 @@ void FieldSchema::kinds(std::size_t /*current*/, std::span<const Kind> all) {
 
 void FieldSchema::shapes(std::size_t /*current*/, std::span<const Shape> shapes, std::optional<Wanted> /*otherwise*/) {
   Json any = Json::array();
-  for (const Shape& each : shapes) any.push_back(of(each.value));
+  for (const Shape& each : shapes) any.push_back(each.only.empty() ? of(each.value) : Json{{"const", each.only}});
   schema_["anyOf"] = any;
 }
 
@@ -163,7 +166,7 @@ void FieldSchema::list(const List& described_as, std::size_t count, VisitElement
 
 Json FieldSchema::of(const Number& number) const {
   if (number.least == number.most) return {{"const", bound(number.least)}};
-  Json schema = {{"type", "number"}};
+  Json schema = {{"type", number.is_whole ? "integer" : "number"}};
   if (number.least != -Number::unlimited) schema[number.above ? "exclusiveMinimum" : "minimum"] = bound(number.least);
   if (number.most != Number::unlimited) schema[number.below ? "exclusiveMaximum" : "maximum"] = bound(number.most);
   return number.null ? or_null(schema) : schema;
@@ -235,30 +238,18 @@ std::string readable(const Json& json, std::size_t indent, std::size_t beside) {
   return fmt::format("{}\n{}\n{}{}", begin, text, std::string(indent, ' '), end);
 }
 
-namespace {
-
-Json with_rules(FieldSchema& visitor, const Json& rules) {
-  Json whole = rules;
-  whole.erase("$defs");
-  whole.update(visitor.take());
-  whole.merge_patch(rules);
-  return whole;
-}
-
-}  // namespace
-
 Json problem_schema(const Json& rules) {
   Problem problem;
   problem.requirements.min_link_angle = default_min_link_angle;
   FieldSchema visitor;
   fields(visitor, problem);
-  return with_rules(visitor, rules);
+  return visitor.take(rules);
 }
 
 Json result_schema(const Json& rules) {
   FieldSchema visitor(FieldSchema::Defaults::left_out);
   fields(visitor, ResultRecord{Problem(), MotionAnswer()});
-  return with_rules(visitor, rules);
+  return visitor.take(rules);
 }
 
 namespace {
@@ -276,7 +267,7 @@ Json analysis_schema(const Json& rules) {
                                   document<StoredSphericalAnalysis>(), document<PrescribedInstant>()};
   for (Shape& study : study_documents()) documents.push_back(std::move(study));
   visitor.shapes(0, documents, std::nullopt);
-  return with_rules(visitor, rules);
+  return visitor.take(rules);
 }
 
 }  // namespace linkwright

@@ -17,8 +17,9 @@ class FieldSchema final : public FieldVisitor {
   enum class Defaults { told, left_out };
   explicit FieldSchema(Defaults defaults = Defaults::told) : defaults_(defaults) {}
 
-  /// The schema of what was visited, with its definitions.
-  [[nodiscard]] Json take();
+  /// The schema of what was visited, with its definitions. `rules`: what holds between fields, as a JSON merge patch,
+  /// with the schema's own name.
+  [[nodiscard]] Json take(const Json& rules = Json::object());
 
   bool member(const Field& field, bool is_required, Visit value) override;
   void constant(std::string_view key, std::string_view value) override;
@@ -56,7 +57,7 @@ class FieldSchema final : public FieldVisitor {
   std::vector<Json> alternatives_;  ///< of the object in hand
 };
 
-/// The schema of problem files. `rules`: what holds between fields, as a JSON merge patch, with the schema's own name.
+/// The schema of problem files. `rules`: as of take().
 [[nodiscard]] FieldSchema::Json problem_schema(const FieldSchema::Json& rules = FieldSchema::Json::object());
 
 /// The schema of result files, likewise.
