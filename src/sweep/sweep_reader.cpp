@@ -1,16 +1,19 @@
 #include <array>
 #include <cmath>
 #include <fmt/format.h>
+#include <limits>
 #include <set>
 
+#include "files/document_fields.hpp"
+#include "files/fields/field_reader.hpp"
 #include "files/file_header.hpp"
 #include "files/json/json_document.hpp"
-#include "files/json/json_object.hpp"
 #include "linkwright/files/nearest_name.hpp"
 #include "linkwright/files/problem_file.hpp"
 #include "linkwright/files/text_file.hpp"
 #include "linkwright/sweep/sweep_table.hpp"
 #include "plan_base.hpp"
+#include "sweep_schema.hpp"
 
 namespace linkwright {
 namespace {
@@ -18,39 +21,41 @@ namespace {
 using Json = nlohmann::json;
 using Pointer = nlohmann::json::json_pointer;
 
-constexpr std::array samplings = {Sampling::grid, Sampling::list, Sampling::sobol, Sampling::halton, Sampling::random};
+constexpr std::string_view about_points = "Points of a sequence between from and to of each of vary.";
+constexpr std::array<std::pair<Sampling, std::string_view>, 5> samplings = {
+    {{Sampling::grid, "All combinations of values; the last of vary changes first."},
+     {Sampling::list, "The samples one by one."},
+     {Sampling::sobol, about_points},
+     {Sampling::halton, about_points},
+     {Sampling::random, about_points}}};
 constexpr std::size_t longest_name = 64;
+constexpr Wanted json_pointer = {"json_pointer", "a JSON pointer into the problem: \"/task/poses/1/x\""};
+constexpr double most = static_cast<double>(SweepPlan::most_samples);
 
 bool is_sequence(Sampling sampling) {
   return sampling == Sampling::sobol || sampling == Sampling::halton || sampling == Sampling::random;
 }
 
-/// The number at a pointer, or why there is none: a pointer as such may be wrong, too.
-const Json* number_at(const Json& problem, const JsonValue& written, const std::string& text) {
+/// A mistake whose sentence tells in its {} what was given.
+void refuse_given(FieldVisitor& v, std::string_view code, std::string_view sentence, std::string_view given) {
+  v.mistake(code, fmt::format(fmt::runtime(sentence), in_quotes(given)), {{"given", in_quotes(given)}});
+}
+
+/// Why no number of the problem is at a pointer, which as such may be wrong, too: code and sentence; otherwise empty.
+std::pair<std::string_view, std::string_view> why_no_number(const Json& problem, const std::string& text) {
   try {
     const Pointer pointer(text);
-    if (!problem.contains(pointer)) {
-      written.mistake("nothing_there",
-                      fmt::format("there is nothing at {} in the problem; write the number that varies into it first",
-                                  in_quotes(text)),
-                      {{"given", in_quotes(text)}});
-      return nullptr;
-    }
+    if (!problem.contains(pointer))
+      return {"nothing_there", "there is nothing at {} in the problem; write the number that varies into it first"};
     const Json& found = problem.at(pointer);
-    if (found.is_number()) return &found;
-    written.mistake("no_number_there",
-                    fmt::format("at {} in the problem is {}, not a number", in_quotes(text),
-                                found.is_object()   ? "an object"
-                                : found.is_array()  ? "a list"
-                                : found.is_string() ? "a text"
-                                                    : "no number"),
-                    {{"given", in_quotes(text)}});
+    if (found.is_number()) return {};
+    return {"no_number_there", found.is_object()   ? "at {} in the problem is an object, not a number"
+                               : found.is_array()  ? "at {} in the problem is a list, not a number"
+                               : found.is_string() ? "at {} in the problem is a text, not a number"
+                                                   : "at {} in the problem is no number, not a number"};
   } catch (const Json::exception&) {
-    written.mistake("no_pointer",
-                    fmt::format("{} is no JSON pointer; write one such as \"/task/poses/1/x\"", in_quotes(text)),
-                    {{"given", in_quotes(text)}});
+    return {"no_pointer", "{} is no JSON pointer; write one such as \"/task/poses/1/x\""};
   }
-  return nullptr;
 }
 
 /// "/task/poses/1/x" as other places are told: task.poses[1].x.
@@ -69,18 +74,16 @@ std::string told(std::string_view pointer) {
   return name;
 }
 
-struct Counted {
-  std::string_view code, what;
-};
-
-/// How many there are, or the mistake where it is no such number.
-std::optional<std::int64_t> whole_count(const JsonValue& written, double number, const Counted& counted) {
-  constexpr double most = static_cast<double>(SweepPlan::most_samples);
-  if (number >= 1 && number <= most && number == std::floor(number)) return static_cast<std::int64_t>(number);
-  written.mistake(std::string(counted.code),
-                  fmt::format("{} is no number of {}; write a whole one from 1 to 2^53", number, counted.what),
-                  {{"given", number}});
-  return std::nullopt;
+/// A whole number from the least one to 2^53; what is none is a mistake with this sentence on {}.
+template <class Integer>
+void visit_whole(FieldVisitor& v, Integer& value, const Number& described, std::string_view code,
+                 std::string_view sentence) {
+  double number = std::numeric_limits<double>::quiet_NaN();
+  v.number(number, described);
+  if (number >= described.least && number <= most && number == std::floor(number))
+    value = static_cast<Integer>(number);
+  else if (!std::isnan(number))
+    v.mistake(code, fmt::format(fmt::runtime(sentence), number), {{"given", number}});
 }
 
 bool is_fit_for_a_name(std::string_view name) {
@@ -89,87 +92,116 @@ bool is_fit_for_a_name(std::string_view name) {
          name != "." && name != "..";
 }
 
+std::string no_column(std::string_view name) {
+  return fmt::format(
+      "{} does not do as the name of a column; write a \"name\" of 1 to {} letters, digits and _ . [ ] -",
+      in_quotes(name), longest_name);
+}
+
+std::string two_columns(std::string_view name) {
+  return fmt::format("two columns would be called {}; give one another \"name\"", in_quotes(name));
+}
+
+void refuse(FieldVisitor& v, std::string_view key, std::string_view why) {
+  v.refuse(key, "not_of_this_sampling", fmt::format("\"{}\" {}; remove it", key, why), {{"key", key}});
+}
+
 }  // namespace
 
 /// Reads a sweep file member by member into a plan.
 class SweepReader {
  public:
-  SweepReader(const Json& tree, std::filesystem::path folder)
-      : tree_(tree), folder_(std::move(folder)), base_(std::make_shared<SweepPlan::Base>()) {}
+  /// `problem`: the base of a file that is only described.
+  explicit SweepReader(std::filesystem::path folder, std::optional<Problem> problem = {})
+      : folder_(std::move(folder)), base_(std::make_shared<SweepPlan::Base>()), problem_(std::move(problem)) {}
 
-  Result<SweepPlan> read();
+  Result<SweepPlan> read(const Json& tree);
+  /// The file, as a visitor goes through it.
+  void visit_file(FieldVisitor& v);
 
  private:
-  void read_members(const JsonObject& file);
-  void read_base(const JsonObject& file);
-  void read_base_text(const JsonValue& at, std::string_view text);
-  void read_sampling(const JsonObject& file);
-  void read_seed(const JsonObject& sampling);
-  void read_sample_count(const JsonObject& sampling);
-  void read_rows(const JsonObject& sampling);
-  void read_variables(const JsonObject& file);
-  void read_variable(const JsonValue& value);
-  void read_numbers(const JsonValue& at, SweepVariable& variable);
-  void read_number(const JsonValue& value, SweepVariable& variable);
-  void read_name(const JsonObject& object, const JsonValue& value, SweepVariable& variable);
-  void read_range(const JsonObject& object, const JsonValue& value, SweepVariable& variable);
-  void read_values(const JsonValue& list, SweepVariable& variable);
-  void check_range(const JsonValue& value, const SweepVariable& variable);
-  void refuse(const JsonObject& object, std::string_view key, std::string_view why);
-  void count_samples(const JsonObject& file);
-  void read_keep(const JsonObject& file);
-  void choose_columns(const JsonObject* keep);
-  void keep_named(const JsonValue& written, const std::vector<KeptColumn>& all, std::vector<SweepColumn>& kept);
-  void make_columns(std::vector<SweepColumn> kept);
-  void finish();
+  void base_field(FieldVisitor& v);
+  void read_base_file(FieldVisitor& v, const std::string& name);
+  void read_base_text(std::string_view text, const std::string& file);
+  void sampling_field(FieldVisitor& v);
+  void members_of(Sampling sampling, FieldVisitor& v);
+  void sequence_fields(FieldVisitor& v);
+  void rows_field(FieldVisitor& v);
+  void vary_field(FieldVisitor& v);
+  void visit_variable(FieldVisitor& v, SweepVariable& variable);
+  void at_field(FieldVisitor& v, SweepVariable& variable);
+  void visit_number(FieldVisitor& v, SweepVariable& variable);
+  void visit_pointer(FieldVisitor& v, VariedNumber& number, SweepVariable& variable);
+  void name_fields(FieldVisitor& v, SweepVariable& variable);
+  void range_fields(FieldVisitor& v, SweepVariable& variable) const;
+  std::vector<Error> count_samples();
+  void keep_field(FieldVisitor& v);
+  void visit_columns(FieldVisitor& v);
+  void keep_named(FieldVisitor& v, const std::vector<KeptColumn>& all);
+  void make_columns();
+  void finish(Json sweep);
 
-  const Json& tree_;
   std::filesystem::path folder_;
   Mistakes mistakes_;
   SweepPlan plan_;
   std::shared_ptr<SweepPlan::Base> base_;
   std::optional<Problem> problem_;
   std::set<std::string> pointers_, names_;
+  bool keeps_all_ = false;
+  std::optional<std::vector<SweepColumn>> kept_;  ///< nothing: the usual ones
 };
 
-Result<SweepPlan> SweepReader::read() {
-  const JsonValue root(tree_, "", mistakes_);
+Result<SweepPlan> SweepReader::read(const Json& tree) {
+  const JsonValue root(tree, "", mistakes_);
   if (const auto refusal = refuse_version(root)) return *refusal;
-  const JsonObject file(root, mistakes_, {"linkwright", "title", "problem", "sampling", "vary", "keep"});
-  if (root.is_object()) {
-    check_version(file);
-    read_members(file);
-  }
+  FieldReader reader(root, mistakes_);
+  visit_file(reader);
+  if (mistakes_.empty()) make_columns();
   if (!mistakes_.empty()) return mistakes_.take();
-  finish();
+  finish(tree);
   return std::move(plan_);
 }
 
-void SweepReader::read_members(const JsonObject& file) {
-  if (const auto title = file.find("title"))
-    if (auto text = title->as_text()) plan_.title_ = *std::move(text);
-  read_base(file);
-  read_sampling(file);
-  read_variables(file);
-  count_samples(file);
-  read_keep(file);
+void SweepReader::visit_file(FieldVisitor& v) {
+  v.object({}, [&](FieldVisitor& to) {
+    version_field(to);
+    to.optional(Field("title", "What the sweep is called."), plan_.title_);
+    base_field(to);
+    sampling_field(to);
+    vary_field(to);
+    to.check([&] { return count_samples(); });
+    keep_field(to);
+  });
 }
 
-void SweepReader::read_base(const JsonObject& file) {
-  const auto base = file.require("problem", {"sweep_problem", "the problem, or the name of its file"});
-  if (!base) return;
-  if (base->is_object()) return read_base_text(*base, base->json().dump());
-  if (!base->json().is_string()) return base->wrong_type({"sweep_problem", "a problem { … } or the name of its file"});
-  const std::string name = base->json().get<std::string>();
+void SweepReader::base_field(FieldVisitor& v) {
+  const Field field("problem", "The problem, or the name of its file as seen from the folder of this file.");
+  std::string text;
+  const auto itself = [&](FieldVisitor& to) {
+    to.foreign(text);
+    read_base_text(text, "");
+  };
+  const auto in_file = [&](FieldVisitor& to) {
+    to.text(text);
+    read_base_file(to, text);
+  };
+  const std::array shapes = {
+      Shape{JsonType::object, [&](FieldVisitor& to) { to.described_in("problem.schema.json", itself); }},
+      Shape{JsonType::text, [&](FieldVisitor& to) { to.named("file_name", in_file); }}};
+  v.member(field.missing({"sweep_problem", "the problem, or the name of its file"}), true, [&](FieldVisitor& to) {
+    to.shapes(0, shapes, Wanted{"sweep_problem", "a problem { … } or the name of its file"});
+  });
+}
+
+void SweepReader::read_base_file(FieldVisitor& v, const std::string& name) {
   const auto text = name == "-" || name.empty() ? Result<std::string>(Error{"unreadable_file", "", "name a file here"})
                                                 : read_text_file(folder_ / name, max_file_bytes);
-  if (text) return read_base_text(*base, *text);
-  for (const Error& error : text.errors())
-    base->mistake(error.code, fmt::format("{}: {}", presentable(name), error.message), error.values);
+  const std::string file = presentable(name) + ": ";
+  if (text) return read_base_text(*text, file);
+  for (const Error& error : text.errors()) v.mistake(error.code, file + error.message, error.values);
 }
 
-void SweepReader::read_base_text(const JsonValue& at, std::string_view text) {
-  const std::string file = at.json().is_string() ? presentable(at.json().get<std::string>()) + ": " : "";
+void SweepReader::read_base_text(std::string_view text, const std::string& file) {
   auto tree = parse_json(text, {.max_bytes = max_file_bytes, .deepest_nesting = deepest_nesting, .kept = {}});
   // What is solved is the tree written anew, which may be longer than the text: 1e12 is 1000000000000.0 then.
   auto problem = tree ? read_problem(tree->dump()) : Result<Problem>(tree.errors());
@@ -183,259 +215,277 @@ void SweepReader::read_base_text(const JsonValue& at, std::string_view text) {
   base_->problem = *std::move(tree);
 }
 
-void SweepReader::read_sampling(const JsonObject& file) {
-  const auto value = file.require("sampling", {"sampling", "how to sample: \"sampling\": {\"method\": \"grid\"}"});
-  if (!value) return;
-  const JsonObject sampling(*value, mistakes_, {"method", "samples", "seed", "rows"});
-  if (!value->is_object()) return;
-  std::vector<std::string_view> names;
-  for (const Sampling each : samplings) names.push_back(name(each));
-  const auto method = sampling.require("method", {"sampling_method", "grid, list, sobol, halton or random"});
-  const auto written = method ? method->as_one_of(names) : std::nullopt;
-  if (!written) return;
-  for (const Sampling each : samplings)
-    if (*written == name(each)) plan_.sampling_ = each;
-  if (is_sequence(plan_.sampling_)) {
-    read_sample_count(sampling);
-    read_seed(sampling);
+void SweepReader::sampling_field(FieldVisitor& v) {
+  static constexpr std::array<std::string_view, 4> keys = {"method", "samples", "seed", "rows"};
+  const Field field("sampling", "How the samples are spread. Each is a function of this file and its number alone.");
+  std::vector<Sampling> visited;
+  std::vector<Case> cases;
+  for (const auto& [sampling, about] : samplings)
+    cases.push_back({name(sampling), {.about = about}, [&, sampling = sampling](FieldVisitor& to) {
+                       visited.push_back(sampling);
+                       members_of(sampling, to);
+                     }});
+  v.member(
+      field.missing({"sampling", "how to sample: \"sampling\": {\"method\": \"grid\"}"}), true, [&](FieldVisitor& at) {
+        at.object({}, [&](FieldVisitor& to) {
+          visited.clear();
+          to.keys(keys);
+          to.switch_on(Field("method").missing({"sampling_method", "grid, list, sobol, halton or random"}), 0, cases);
+        });
+      });
+  if (visited.size() == 1) plan_.sampling_ = visited.front();
+}
+
+void SweepReader::members_of(Sampling sampling, FieldVisitor& v) {
+  plan_.seed_ = sampling == Sampling::random ? 1 : 0;
+  if (is_sequence(sampling)) {
+    sequence_fields(v);
   } else {
-    refuse(sampling, "seed", "is of sobol, halton and random");
-    refuse(sampling, "samples", "is of sobol, halton and random; a grid and a list have as many as they have");
+    refuse(v, "seed", "is of sobol, halton and random");
+    refuse(v, "samples", "is of sobol, halton and random; a grid and a list have as many as they have");
   }
-  if (plan_.sampling_ == Sampling::list)
-    read_rows(sampling);
-  else
-    refuse(sampling, "rows", "is of a list");
+  sampling == Sampling::list ? rows_field(v) : refuse(v, "rows", "is of a list");
 }
 
-void SweepReader::refuse(const JsonObject& object, std::string_view key, std::string_view why) {
-  if (const auto found = object.find(key))
-    found->mistake("not_of_this_sampling", fmt::format("\"{}\" {}; remove it", key, why), {{"key", key}});
-}
-
-void SweepReader::read_sample_count(const JsonObject& sampling) {
-  const auto written = sampling.require("samples", {"sample_count", "the number of samples"});
-  const auto number = written ? written->as_number() : std::nullopt;
-  if (!number) return;
-  plan_.samples_ = whole_count(*written, *number, {"sample_count", "samples"}).value_or(0);
-}
-
-void SweepReader::read_seed(const JsonObject& sampling) {
-  plan_.seed_ = plan_.sampling_ == Sampling::random ? 1 : 0;
-  const auto written = sampling.find("seed");
-  const auto number = written ? written->as_number() : std::nullopt;
-  if (!number) return;
-  constexpr double most = static_cast<double>(SweepPlan::most_samples);
-  if (*number >= 0 && *number <= most && *number == std::floor(*number))
-    plan_.seed_ = static_cast<std::uint64_t>(*number);
-  else
-    written->mistake("sweep_seed", fmt::format("{} is no seed; write a whole number from 0 to 2^53", *number),
-                     {{"given", *number}});
-}
-
-void SweepReader::read_rows(const JsonObject& sampling) {
-  const auto rows = sampling.require("rows", {"sweep_rows", "the rows: a value to each of \"vary\""});
-  if (!rows) return;
-  rows->for_each({"sweep_rows", "a list of rows"}, [this](const JsonValue& row) {
-    std::vector<double> values;
-    row.for_each({"sweep_row", "a row of numbers"}, [&](const JsonValue& item) {
-      if (const auto number = item.as_number()) values.push_back(*number);
-    });
-    plan_.rows_.push_back(std::move(values));
+void SweepReader::sequence_fields(FieldVisitor& v) {
+  const Field samples("samples", "How many.");
+  const Field seed("seed",
+                   "Of random points (default 1). Other than 0, it shifts those of sobol and halton by one random "
+                   "vector, modulo 1 (default 0).");
+  v.member(samples.missing({"sample_count", "the number of samples"}), true, [&](FieldVisitor& to) {
+    constexpr Number count = {.least = 1, .most = most, .is_whole = true};
+    visit_whole(to, plan_.samples_, count, "sample_count",
+                "{} is no number of samples; write a whole one from 1 to 2^53");
   });
+  v.member(seed.absent(), false, [&](FieldVisitor& to) {
+    constexpr Number any = {.least = 0, .most = most, .is_whole = true};
+    visit_whole(to, plan_.seed_, any, "sweep_seed", "{} is no seed; write a whole number from 0 to 2^53");
+  });
+}
+
+void SweepReader::rows_field(FieldVisitor& v) {
+  const Wanted rows = {"sweep_rows", "a list of rows"}, row = {"sweep_row", "a row of numbers"};
+  const Field field("rows", "A row to a sample, a value to each of vary.");
+  const bool are_rows = v.required(field.missing({"sweep_rows", "the rows: a value to each of \"vary\""}), plan_.rows_,
+                                   List{.what = rows, .least = 1}, List{.what = row, .least = 1});
   plan_.samples_ = static_cast<std::int64_t>(plan_.rows_.size());
-  if (rows->json().is_array() && plan_.rows_.empty())
-    rows->mistake("no_rows", "this list has no rows; a sweep has one sample or more");
+  if (are_rows && plan_.rows_.empty())
+    v.refuse("rows", "no_rows", "this list has no rows; a sweep has one sample or more", {});
 }
 
-void SweepReader::read_variables(const JsonObject& file) {
-  const auto vary = file.require("vary", {"vary", "what varies: \"vary\": [{\"at\": \"/task/poses/1/x\", …}]"});
-  if (!vary) return;
-  vary->for_each({"vary", "a list of what varies"}, [this](const JsonValue& value) {
-    if (plan_.variables_.size() < max_coordinates) return read_variable(value);
-    if (plan_.variables_.size() == max_coordinates)
-      value.mistake("many_variables", fmt::format("at most {} things can vary", max_coordinates));
+void SweepReader::vary_field(FieldVisitor& v) {
+  const Field field("vary", "What varies: a column of the table each, and numbers of the problem that follow it.");
+  const List list = {.what = {"vary", "a list of what varies"}, .least = 1, .most = max_coordinates};
+  const auto variable = [&](FieldVisitor& to, std::size_t i) {
+    if (i < max_coordinates) return visit_variable(to, plan_.variables_.emplace_back());
+    to.mistake("many_variables", fmt::format("at most {} things can vary", max_coordinates), {});
+  };
+  const Wanted example = {"vary", "what varies: \"vary\": [{\"at\": \"/task/poses/1/x\", …}]"};
+  v.member(field.missing(example), true, [&](FieldVisitor& to) {
+    const std::size_t before = mistakes_.size();
+    to.list(list, 0, variable);
+    if (plan_.variables_.empty() && mistakes_.size() == before)
+      to.mistake("nothing_varies", "nothing varies here; for one problem use linkwright solve", {});
   });
-  if (vary->json().is_array() && vary->json().empty())
-    vary->mistake("nothing_varies", "nothing varies here; for one problem use linkwright solve");
-  for (std::size_t k = 0; k < plan_.rows_.size(); ++k)
-    if (plan_.rows_[k].size() != plan_.variables_.size() && mistakes_.empty())
-      mistakes_.add("short_row", fmt::format("sampling.rows[{}]", k),
-                    fmt::format("this row has {} numbers; {} vary", plan_.rows_[k].size(), plan_.variables_.size()),
-                    {{"found", plan_.rows_[k].size()}, {"wanted", plan_.variables_.size()}});
 }
 
-void SweepReader::read_variable(const JsonValue& value) {
-  const JsonObject object(value, mistakes_,
-                          {"name", "unit", "at", "from", "to", "count", "values", "spacing", "whole"});
-  SweepVariable variable;
-  if (const auto at = object.require("at", {"json_pointer", "a JSON pointer into the problem: \"/task/poses/1/x\""}))
-    read_numbers(*at, variable);
-  read_name(object, value, variable);
-  if (plan_.sampling_ == Sampling::list) {
+void SweepReader::visit_variable(FieldVisitor& v, SweepVariable& variable) {
+  static constexpr std::array<std::string_view, 9> keys = {"name",  "unit",   "at",      "from", "to",
+                                                           "count", "values", "spacing", "whole"};
+  v.object({.name = "variable"}, [&](FieldVisitor& to) {
+    to.keys(keys);
+    at_field(to, variable);
+    name_fields(to, variable);
+    if (plan_.sampling_ != Sampling::list) return range_fields(to, variable);
     for (const std::string_view key : {"from", "to", "count", "values", "spacing", "whole"})
-      refuse(object, key, "does not go with a list, whose rows have all values");
-  } else if (value.is_object()) {
-    read_range(object, value, variable);
-  }
-  plan_.variables_.push_back(std::move(variable));
+      refuse(to, key, "does not go with a list, whose rows have all values");
+  });
 }
 
-void SweepReader::read_numbers(const JsonValue& at, SweepVariable& variable) {
-  if (!at.json().is_array()) return read_number(at, variable);
-  at.for_each({"json_pointer", "a list of JSON pointers"}, [&](const JsonValue& item) { read_number(item, variable); });
-  if (at.json().empty()) at.mistake("no_pointers", "this list names no number of the problem");
+void SweepReader::at_field(FieldVisitor& v, SweepVariable& variable) {
+  const auto several = [&](FieldVisitor& to) {
+    std::size_t count = 0;
+    to.list({.what = {"json_pointer", "a list of JSON pointers"}, .least = 1}, 0, [&](FieldVisitor& each, std::size_t) {
+      visit_number(each, variable);
+      ++count;
+    });
+    if (count == 0) to.mistake("no_pointers", "this list names no number of the problem", {});
+  };
+  const Field about("at", "The number of the problem that varies, or several that follow one value.");
+  const std::array shapes = {Shape{JsonType::list, several},
+                             Shape{JsonType::object, [&](FieldVisitor& to) { visit_number(to, variable); }}};
+  v.member(about.missing(json_pointer), true, [&](FieldVisitor& to) { to.shapes(0, shapes, std::nullopt); });
 }
 
-void SweepReader::read_number(const JsonValue& value, SweepVariable& variable) {
+void SweepReader::visit_number(FieldVisitor& v, SweepVariable& variable) {
+  static constexpr std::array<std::string_view, 3> keys = {"at", "scale", "offset"};
   VariedNumber number;
-  JsonValue written = value;
-  if (value.is_object()) {
-    const JsonObject object(value, mistakes_, {"at", "scale", "offset"});
-    const auto at = object.require("at", {"json_pointer", "a JSON pointer into the problem: \"/task/poses/1/x\""});
-    if (!at) return;
-    written = *at;
-    if (const auto scale = object.find("scale")) number.scale = scale->as_number().value_or(1);
-    if (const auto offset = object.find("offset")) number.offset = offset->as_number().value_or(0);
-  }
-  auto text = written.as_text();
-  if (!text) return;
-  number.pointer = *std::move(text);
+  const auto pointer = [&](FieldVisitor& to) { visit_pointer(to, number, variable); };
+  const auto in_full = [&](FieldVisitor& to) {
+    to.keys(keys);
+    to.optional(Field("scale", "The number is scale · value + offset."), number.scale);
+    to.optional(Field("offset", "Added to it."), number.offset);
+    to.member(Field("at").missing(json_pointer), true, pointer);
+  };
+  const std::array shapes = {Shape{JsonType::object, [&](FieldVisitor& to) { to.object({}, in_full); }},
+                             Shape{JsonType::text, pointer}};
+  v.named("number", [&](FieldVisitor& to) { to.shapes(0, shapes, std::nullopt); });
+}
+
+void SweepReader::visit_pointer(FieldVisitor& v, VariedNumber& number, SweepVariable& variable) {
+  const std::size_t before = mistakes_.size();
+  v.named("pointer", [&](FieldVisitor& to) { to.text(number.pointer); });
+  if (mistakes_.size() != before) return;
   if (number.pointer == "/options/best")
-    return written.mistake("kept_linkages", "how many linkages are kept does not vary; write it as keep.linkages");
-  if (problem_ && !number_at(base_->problem, written, number.pointer)) return;
-  if (!pointers_.insert(number.pointer).second)
-    written.mistake("varied_twice", fmt::format("{} varies already", in_quotes(number.pointer)),
-                    {{"given", in_quotes(number.pointer)}});
+    return v.mistake("kept_linkages", "how many linkages are kept does not vary; write it as keep.linkages", {});
+  const auto [code, sentence] =
+      problem_ ? why_no_number(base_->problem, number.pointer) : std::pair<std::string_view, std::string_view>();
+  if (!code.empty()) return refuse_given(v, code, sentence, number.pointer);
+  if (!pointers_.insert(number.pointer).second) refuse_given(v, "varied_twice", "{} varies already", number.pointer);
   variable.numbers.push_back(std::move(number));
 }
 
-void SweepReader::read_name(const JsonObject& object, const JsonValue& value, SweepVariable& variable) {
-  const auto written = object.find("name");
-  if (written)
-    variable.name = written->as_text().value_or("");
-  else if (!variable.numbers.empty())
-    variable.name = told(variable.numbers.front().pointer);
+void SweepReader::name_fields(FieldVisitor& v, SweepVariable& variable) {
+  std::optional<std::string> given, unit;
+  const bool is_text =
+      v.given(Field("name", "Of its column; by default the place of its first number: task.poses[1].x."), given);
+  v.given(Field("unit", "Of its column; by default deg where the name ends in _deg."), unit);
+  variable.name = given.value_or(variable.numbers.empty() ? "" : told(variable.numbers.front().pointer));
   const std::string& name = variable.name;
-  const auto unit = object.find("unit");
-  variable.unit = unit ? unit->as_text().value_or("") : name.ends_with("_deg") ? "deg" : "";
-  const JsonValue& place = written ? *written : value;
-  if (variable.numbers.empty() || (written && !written->json().is_string())) return;
-  if (!is_fit_for_a_name(name))
-    place.mistake("column_name",
-                  fmt::format("{} does not do as the name of a column; write a \"name\" of 1 to {} letters, digits and "
-                              "_ . [ ] -",
-                              in_quotes(name), longest_name),
-                  {{"given", in_quotes(name)}, {"most", longest_name}});
-  else if (!names_.insert(name).second)
-    place.mistake("repeated_column",
-                  fmt::format("two columns would be called {}; give one another \"name\"", in_quotes(name)),
-                  {{"given", in_quotes(name)}});
+  variable.unit = unit.value_or(name.ends_with("_deg") ? "deg" : "");
+  if (variable.numbers.empty() || !is_text) return;
+  const bool is_fit = is_fit_for_a_name(name);
+  if (is_fit && names_.insert(name).second) return;
+  const std::string_view code = is_fit ? "repeated_column" : "column_name";
+  const std::string message = is_fit ? two_columns(name) : no_column(name);
+  Values values = {{"given", in_quotes(name)}};
+  if (!is_fit) values.push_back({"most", longest_name});
+  given ? v.refuse("name", code, message, values) : v.mistake(code, message, values);
 }
 
-void SweepReader::read_range(const JsonObject& object, const JsonValue& value, SweepVariable& variable) {
-  if (const auto whole = object.find("whole")) variable.whole = whole->as_flag().value_or(false);
-  constexpr std::array<std::string_view, 2> spacings = {"linear", "logarithmic"};
-  if (const auto spacing = object.find("spacing")) variable.logarithmic = spacing->as_one_of(spacings) == spacings[1];
-  if (const auto values = object.find("values")) {
-    for (const std::string_view key : {"from", "to", "count", "spacing", "whole"})
-      refuse(object, key, "does not go with \"values\"");
-    if (plan_.sampling_ == Sampling::grid) return read_values(*values, variable);
-    return values->mistake("not_of_this_sampling", "\"values\" are of a grid; write \"from\" and \"to\"",
-                           {{"key", "values"}});
-  }
-  const auto from = object.require_number("from"), to = object.require_number("to");
-  if (from) variable.from = *from;
-  if (to) variable.to = *to;
-  if (from && to) check_range(value, variable);
-  if (plan_.sampling_ != Sampling::grid) return refuse(object, "count", "is of a grid");
-  const auto count = object.require("count", {"grid_count", "how many values"});
-  if (const auto number = count ? count->as_number() : std::nullopt)
-    variable.count = whole_count(*count, *number, {"grid_count", "values"}).value_or(0);
-}
+namespace {
 
-void SweepReader::read_values(const JsonValue& list, SweepVariable& variable) {
-  list.for_each({"sweep_values", "a list of numbers"}, [&](const JsonValue& item) {
-    if (const auto number = item.as_number()) variable.values.push_back(*number);
-  });
-  if (list.json().is_array() && list.json().empty()) list.mistake("no_values", "this list has no values");
+void values_field(FieldVisitor& v, SweepVariable& variable) {
+  const List list = {.what = {"sweep_values", "a list of numbers"}, .least = 1};
+  const bool are_values = v.optional(Field("values", "Of a grid: the values themselves."), variable.values, list);
   variable.count = static_cast<std::int64_t>(variable.values.size());
+  if (v.has("values") && are_values && variable.values.empty())
+    v.refuse("values", "no_values", "this list has no values", {});
 }
 
-void SweepReader::check_range(const JsonValue& value, const SweepVariable& variable) {
+void visit_kept(FieldVisitor& v, int& linkages) {
+  constexpr int most_kept = SynthesisOptions::max_best;
+  visit(v, linkages, Whole{0, most_kept});
+  if (linkages < 0 || linkages > most_kept)
+    v.mistake("kept_linkages",
+              fmt::format("{} linkages of a sample cannot be kept; write 0 to {}", linkages, most_kept),
+              {{"given", linkages}, {"most", most_kept}});
+}
+
+void check_range(FieldVisitor& v, const SweepVariable& variable) {
   if (!std::isfinite(variable.to - variable.from))
-    value.mistake("range_too_wide", "the ends of this range are too far apart for a double; bring them nearer");
+    v.mistake("range_too_wide", "the ends of this range are too far apart for a double; bring them nearer", {});
   if (variable.logarithmic && !(variable.from > 0 && variable.to > 0))
-    value.mistake("logarithm_of_zero", "a logarithmic range has two ends above 0");
+    v.mistake("logarithm_of_zero", "a logarithmic range has two ends above 0", {});
   if (variable.logarithmic && variable.whole)
-    value.mistake("whole_logarithm", "whole numbers have linear spacing; drop one of the two");
+    v.mistake("whole_logarithm", "whole numbers have linear spacing; drop one of the two", {});
   const bool is_whole = variable.from == std::floor(variable.from) && variable.to == std::floor(variable.to);
   if (variable.whole && (!is_whole || variable.from > variable.to))
-    value.mistake("whole_range", "whole numbers lie between two whole numbers, the smaller one first");
+    v.mistake("whole_range", "whole numbers lie between two whole numbers, the smaller one first", {});
 }
 
-void SweepReader::count_samples(const JsonObject& file) {
-  if (plan_.sampling_ != Sampling::grid || !mistakes_.empty()) return;
-  std::int64_t samples = 1;
+void end_fields(FieldVisitor& v, SweepVariable& variable, bool is_grid) {
+  const bool is_from = v.required(Field("from", "One end of the range."), variable.from);
+  const bool is_to = v.required(Field("to", "The other end."), variable.to);
+  if (is_from && is_to) check_range(v, variable);
+  if (!is_grid) return refuse(v, "count", "is of a grid");
+  const Field count("count", "Of a grid: how many values, both ends among them.");
+  v.member(count.missing({"grid_count", "how many values"}), true, [&](FieldVisitor& to) {
+    visit_whole(to, variable.count, {.least = 1, .is_whole = true}, "grid_count",
+                "{} is no number of values; write a whole one from 1 to 2^53");
+  });
+}
+
+}  // namespace
+
+void SweepReader::range_fields(FieldVisitor& v, SweepVariable& variable) const {
+  const bool is_grid = plan_.sampling_ == Sampling::grid, has_values = v.has("values");
+  std::size_t spacing = 0;
+  v.optional(Field("whole", "Whole numbers only."), variable.whole);
+  v.optional(Field("spacing", "How the values lie between the ends."), spacing, Words{{"linear", "logarithmic"}});
+  variable.logarithmic = spacing == 1;
+  if (has_values)
+    for (const std::string_view key : {"from", "to", "count", "spacing", "whole"})
+      refuse(v, key, "does not go with \"values\"");
+  is_grid ? values_field(v, variable)
+          : v.refuse("values", "not_of_this_sampling", "\"values\" are of a grid; write \"from\" and \"to\"",
+                     {{"key", "values"}});
+  if (!has_values) end_fields(v, variable, is_grid);
+}
+
+/// The rows have a value to each variable; a grid has as many samples as its values make.
+std::vector<Error> SweepReader::count_samples() {
+  const std::size_t varying = plan_.variables_.size();
+  for (std::size_t k = 0; k < plan_.rows_.size(); ++k)
+    if (const std::size_t found = plan_.rows_[k].size(); found != varying)
+      return {{"short_row",
+               fmt::format("sampling.rows[{}]", k),
+               fmt::format("this row has {} numbers; {} vary", found, varying),
+               {{"found", found}, {"wanted", varying}}}};
+  if (plan_.sampling_ != Sampling::grid) return {};
+  plan_.samples_ = 1;
   for (const SweepVariable& variable : plan_.variables_) {
-    if (samples > SweepPlan::most_samples / variable.count) {
-      file.find("vary")->mistake("large_grid", "this grid has more than 2^53 samples; take fewer values");
-      return;
-    }
-    samples *= variable.count;
+    if (plan_.samples_ > SweepPlan::most_samples / variable.count)
+      return {{"large_grid", "vary", "this grid has more than 2^53 samples; take fewer values"}};
+    plan_.samples_ *= variable.count;
   }
-  plan_.samples_ = samples;
+  return {};
 }
 
-void SweepReader::read_keep(const JsonObject& file) {
-  const auto value = file.find("keep");
-  if (!value) return choose_columns(nullptr);
-  const JsonObject keep(*value, mistakes_, {"linkages", "columns"});
-  if (const auto linkages = keep.find("linkages"))
-    if (const auto number = linkages->as_whole_number()) {
-      plan_.kept_linkages_ = *number;
-      if (*number < 0 || *number > SynthesisOptions::max_best)
-        linkages->mistake(
-            "kept_linkages",
-            fmt::format("{} linkages of a sample cannot be kept; write 0 to {}", *number, SynthesisOptions::max_best),
-            {{"given", *number}, {"most", SynthesisOptions::max_best}});
-    }
-  choose_columns(&keep);
+void SweepReader::keep_field(FieldVisitor& v) {
+  const Field linkages("linkages", "How many, the best first: options.best of each sample.");
+  const Field columns("columns",
+                      "Members of a linkage in the result file, such as lengths.ground and input.center_point[0]; all; "
+                      "by default the usual ones.");
+  v.member(Field("keep", "What is kept of the linkages of each sample."), false, [&](FieldVisitor& at) {
+    at.object({}, [&](FieldVisitor& to) {
+      to.member(linkages, false, [&](FieldVisitor& in) { visit_kept(in, plan_.kept_linkages_); });
+      to.member(columns.absent(), false, [&](FieldVisitor& in) { visit_columns(in); });
+    });
+  });
 }
 
-void SweepReader::choose_columns(const JsonObject* keep) {
+void SweepReader::visit_columns(FieldVisitor& v) {
   if (!problem_) return;
+  const Wanted wanted = {"sweep_columns", "a list of names, or \"all\""};
   const std::vector<KeptColumn> all = keepable_columns(*problem_);
-  const auto columns = keep ? keep->find("columns") : std::nullopt;
-  std::vector<SweepColumn> kept;
-  if (columns && columns->json() != "all") {
-    columns->for_each({"sweep_columns", "a list of names, or \"all\""},
-                      [&](const JsonValue& written) { keep_named(written, all, kept); });
-  } else {
-    for (const KeptColumn& each : all)
-      if (each.by_default || columns) kept.push_back(each.column);
-  }
-  if (mistakes_.empty()) make_columns(std::move(kept));
+  const auto named = [&](FieldVisitor& to) {
+    kept_.emplace();
+    to.list({.what = wanted, .name = "columns"}, 0, [&](FieldVisitor& in, std::size_t) { keep_named(in, all); });
+  };
+  const std::array shapes = {Shape{JsonType::text, [&](FieldVisitor&) { keeps_all_ = true; }, "all"},
+                             Shape{JsonType::list, named}};
+  v.shapes(0, shapes, wanted);
 }
 
-void SweepReader::keep_named(const JsonValue& written, const std::vector<KeptColumn>& all,
-                             std::vector<SweepColumn>& kept) {
-  const auto name = written.as_text();
-  if (!name) return;
+void SweepReader::keep_named(FieldVisitor& v, const std::vector<KeptColumn>& all) {
+  std::string name;
+  const std::size_t before = mistakes_.size();
+  v.text(name);
+  if (mistakes_.size() != before) return;
   std::vector<std::string_view> names;
   for (const KeptColumn& each : all) names.push_back(each.column.name);
-  const auto found = std::find(names.begin(), names.end(), *name);
+  const auto found = std::find(names.begin(), names.end(), name);
   if (found == names.end()) {
-    const std::string_view near = nearest_name(*name, names);
-    written.mistake("unknown_column",
-                    fmt::format("linkages of this problem have no {}{}", in_quotes(*name),
-                                near.empty() ? "" : fmt::format("; did you mean {}?", near)),
-                    {{"given", in_quotes(*name)}, {"nearest", near}});
-  } else if (std::any_of(kept.begin(), kept.end(), [&](const SweepColumn& known) { return known.name == *name; })) {
-    written.mistake("repeated_column", fmt::format("{} is kept already", in_quotes(*name)),
-                    {{"given", in_quotes(*name)}});
+    const std::string_view near = nearest_name(name, names);
+    v.mistake("unknown_column",
+              fmt::format("linkages of this problem have no {}{}", in_quotes(name),
+                          near.empty() ? "" : fmt::format("; did you mean {}?", near)),
+              {{"given", in_quotes(name)}, {"nearest", near}});
+  } else if (std::any_of(kept_->begin(), kept_->end(), [&](const SweepColumn& known) { return known.name == name; })) {
+    refuse_given(v, "repeated_column", "{} is kept already", name);
   } else {
-    kept.push_back(all[static_cast<std::size_t>(found - names.begin())].column);
+    kept_->push_back(all[static_cast<std::size_t>(found - names.begin())].column);
   }
 }
 
@@ -443,38 +493,36 @@ namespace {
 
 /// What a map is counted by.
 void add_counts_of_region(const LinkageClass& linkages, std::vector<SweepColumn>& samples) {
-  for (SweepColumn& column :
-       std::vector{count_column("defect_free", "Of these, free of defects"),
-                   count_column("meeting_requirements", "Of these, those that meet the requirements"),
-                   count_column("order", "Linkages with an order defect"),
-                   count_column("branch", "Linkages with a branch defect"),
-                   count_column("circuit", "Linkages with a circuit defect")})
-    samples.push_back(std::move(column));
+  samples.insert(samples.end(), {count_column("defect_free", "Of these, free of defects"),
+                                 count_column("meeting_requirements", "Of these, those that meet the requirements"),
+                                 count_column("order", "Linkages with an order defect"),
+                                 count_column("branch", "Linkages with a branch defect"),
+                                 count_column("circuit", "Linkages with a circuit defect")});
   for (const LinkageType type : linkages.types)
     samples.push_back(count_column("types." + std::string(name(type)), "Linkages of this type"));
 }
 
 }  // namespace
 
-void SweepReader::make_columns(std::vector<SweepColumn> kept) {
+void SweepReader::make_columns() {
   constexpr std::size_t status_width = 12, code_width = 48, place_width = 96, message_width = 256;
   auto& [samples, linkages, failures] = plan_.columns_;
   samples = {count_column("sample", "Number of the sample, from 0")};
   for (const SweepVariable& variable : plan_.variables_)
     samples.push_back(number_column(variable.name, variable.unit, "Varied: " + variable.numbers.front().pointer));
-  for (SweepColumn& column :
-       std::vector{text_column("status", status_width,
-                               "solved, no_solution, degenerate, or invalid: the values make no problem"),
-                   text_column("reason", code_width, "Why, by its code; in words in /failures"),
-                   count_column("linkages", "Linkages kept"),
-                   count_column("cells", "Linkages of the solution region, or looked at by a search")})
-    samples.push_back(std::move(column));
+  samples.insert(samples.end(), {text_column("status", status_width,
+                                             "solved, no_solution, degenerate, or invalid: the values make no problem"),
+                                 text_column("reason", code_width, "Why, by its code; in words in /failures"),
+                                 count_column("linkages", "Linkages kept"),
+                                 count_column("cells", "Linkages of the solution region, or looked at by a search")});
   if (!is_search(problem_->task)) add_counts_of_region(linkwright::linkages(problem_->task), samples);
   samples.push_back(number_column("condition", "", "Condition of the task"));
   samples.push_back(number_column("characteristic_length", problem_->length_unit, "Characteristic length of the task"));
   linkages = {count_column("sample", "Number of the sample, from 0"),
               count_column("rank", "Place in the list of its sample, from 1, the best")};
-  linkages.insert(linkages.end(), kept.begin(), kept.end());
+  for (const KeptColumn& each : keepable_columns(*problem_))
+    if (!kept_ && (each.by_default || keeps_all_)) linkages.push_back(each.column);
+  if (kept_) linkages.insert(linkages.end(), kept_->begin(), kept_->end());
   failures = {count_column("sample", "Number of the sample, from 0"),
               text_column("code", code_width, "What is wrong, by its code"),
               text_column("place", place_width, "Where in the problem; empty: as a whole"),
@@ -482,14 +530,11 @@ void SweepReader::make_columns(std::vector<SweepColumn> kept) {
   for (const SweepVariable& variable : plan_.variables_)
     for (const auto& column : std::span(samples).subspan(1 + plan_.variables_.size()))
       if (column.name == variable.name || variable.name == "sample")
-        return mistakes_.add(
-            "repeated_column", "vary",
-            fmt::format("two columns would be called {}; give one another \"name\"", in_quotes(variable.name)),
-            {{"given", in_quotes(variable.name)}});
+        return mistakes_.add("repeated_column", "vary", two_columns(variable.name),
+                             {{"given", in_quotes(variable.name)}});
 }
 
-void SweepReader::finish() {
-  Json sweep = tree_;
+void SweepReader::finish(Json sweep) {
   sweep.erase("problem");
   plan_.sweep_text_ = sweep.dump();
   plan_.base_text_ = base_->problem.dump();
@@ -505,7 +550,13 @@ Result<SweepPlan> SweepPlan::read(std::string_view text, const std::filesystem::
 }
 
 Result<SweepPlan> read_sweep_tree(const nlohmann::json& tree, const std::filesystem::path& folder) {
-  return SweepReader(tree, folder).read();
+  return SweepReader(folder).read(tree);
+}
+
+FieldSchema::Json sweep_schema(const FieldSchema::Json& rules) {
+  FieldSchema visitor;
+  SweepReader({}, Problem()).visit_file(visitor);
+  return visitor.take(rules);
 }
 
 Result<SweepPlan> read_sweep_file(const std::filesystem::path& path) {

@@ -5,6 +5,7 @@
 
 #include "files/fields/field_schema.hpp"
 #include "support/file_support.hpp"
+#include "sweep/sweep_schema.hpp"
 
 namespace linkwright::schema_test {
 namespace {
@@ -41,9 +42,14 @@ TEST(AnalysisSchema, IsWhatTheFieldsSayAndTheRulesBetweenThem) {
   expect_generated("/schema/analysis.schema.json", readable(analysis_schema(rules_of("analysis"))) + "\n");
 }
 
+TEST(SweepSchema, IsWhatTheFieldsSayAndTheRulesBetweenThem) {
+  expect_generated("/schema/sweep.schema.json", readable(sweep_schema(rules_of("sweep"))) + "\n");
+}
+
 // A rule of a definition that has another name would make one that nothing refers to.
 TEST(ProblemSchema, HasNoDefinitionThatNothingRefersTo) { expect_all_referred_to(problem_schema(rules_of("problem"))); }
 TEST(ResultSchema, HasNoDefinitionThatNothingRefersTo) { expect_all_referred_to(result_schema(rules_of("result"))); }
+TEST(SweepSchema, HasNoDefinitionThatNothingRefersTo) { expect_all_referred_to(sweep_schema(rules_of("sweep"))); }
 TEST(AnalysisSchema, HasNoDefinitionThatNothingRefersTo) {
   expect_all_referred_to(analysis_schema(rules_of("analysis")));
 }

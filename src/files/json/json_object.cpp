@@ -149,11 +149,6 @@ std::optional<JsonValue> JsonObject::require(std::string_view key, Wanted what) 
   return found;
 }
 
-std::optional<double> JsonObject::require_number(std::string_view key) const {
-  const auto found = require(key, {"number", "a number"});
-  return found ? found->as_number() : std::nullopt;
-}
-
 std::optional<Point> JsonObject::require_point(std::string_view key) const {
   const auto found = require(key, {"two_coordinates", "two numbers [x, y]"});
   return found ? found->as_pair({"[x, y]"}) : std::nullopt;

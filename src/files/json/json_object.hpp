@@ -58,7 +58,6 @@ class JsonObject {
   [[nodiscard]] std::optional<JsonValue> find(std::string_view key) const;
   /// As find(), but notes a mistake when the key is missing; `what` says what belongs there ("a number").
   [[nodiscard]] std::optional<JsonValue> require(std::string_view key, Wanted what) const;
-  [[nodiscard]] std::optional<double> require_number(std::string_view key) const;
   [[nodiscard]] std::optional<Point> require_point(std::string_view key) const;
 
  private:
