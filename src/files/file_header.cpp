@@ -21,14 +21,4 @@ std::optional<Error> refuse_version(const JsonValue& root) {
       {{"version", version}, {"known", file_version}}};
 }
 
-void check_version(const JsonObject& file) {
-  const auto version = file.require(
-      "linkwright", {"file_version", fmt::format("the version of the file: \"linkwright\": {}", file_version)});
-  const auto number = version ? version->as_number() : std::nullopt;
-  if (number && *number != file_version) {
-    version->mistake("unknown_version", fmt::format("there is no version {}; this is {}", *number, file_version),
-                     {{"version", *number}, {"known", file_version}});
-  }
-}
-
 }  // namespace linkwright

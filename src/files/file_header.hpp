@@ -10,7 +10,4 @@ namespace linkwright {
 /// Why a file of a newer version is refused before anything else is looked at; nothing for all other files.
 [[nodiscard]] std::optional<Error> refuse_version(const JsonValue& root);
 
-/// Notes a mistake when `"linkwright": 1` is missing or something else.
-void check_version(const JsonObject& file);
-
 }  // namespace linkwright

@@ -5,6 +5,8 @@
 #include <nlohmann/json.hpp>
 #include <string_view>
 
+#include "files/document_fields.hpp"
+#include "files/fields/field_reader.hpp"
 #include "files/file_header.hpp"
 #include "files/json/json_document.hpp"
 #include "files/json/json_object.hpp"
@@ -26,7 +28,8 @@ template <class Task>
   const JsonObject file(root, mistakes, known);
   Task task;
   if (root.is_object()) {
-    check_version(file);
+    FieldReader reader(root, mistakes);
+    version_field(reader);
     if (const auto title = file.find("title")) static_cast<void>(title->as_text());  // for the reader of the file only
     task = members(file, mistakes);
   }
