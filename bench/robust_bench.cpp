@@ -27,8 +27,8 @@ std::vector<TracingFourBar> four_positions() {
   std::vector<TracingFourBar> all;
   for (int j = 0; j < positions; ++j) {
     const FourBar bars = placed(frame, assemble(lengths, 0.4 + 0.5 * j, Assembly::positive).value());
-    const Point along = (bars.output_circle - bars.input_circle) / lengths.coupler;
-    all.push_back({bars, bars.input_circle + Point{1.2, 0.9} * along});
+    const Point along = (bars.output_moving - bars.input_moving) / lengths.coupler;
+    all.push_back({bars, bars.input_moving + Point{1.2, 0.9} * along});
   }
   return all;
 }
@@ -66,11 +66,11 @@ void tolerance_error(benchmark::State& state, Simd simd) {
     std::fill_n(to[0], ToleranceErrorBlock::size, p.real());
     std::fill_n(to[1], ToleranceErrorBlock::size, p.imag());
   };
-  put(linkages[0].bars.input_center, block.input_center);
-  put(linkages[0].bars.output_center, block.output_center);
+  put(linkages[0].bars.input_fixed, block.input_fixed);
+  put(linkages[0].bars.output_fixed, block.output_fixed);
   for (std::size_t j = 0; j < positions; ++j) {
-    put(linkages[j].bars.input_circle, block.input_circle[j]);
-    put(linkages[j].bars.output_circle, block.output_circle[j]);
+    put(linkages[j].bars.input_moving, block.input_moving[j]);
+    put(linkages[j].bars.output_moving, block.output_moving[j]);
     block.point[j][0] = linkages[j].point.real();
     block.point[j][1] = linkages[j].point.imag();
   }
@@ -162,14 +162,14 @@ std::string dumped(int samples) {
       {"input", lengths.input},
       {"coupler", lengths.coupler},
       {"output", lengths.output},
-      {"input_center", pair(bars.input_center)},
-      {"output_center", pair(bars.output_center)},
-      {"arm", pair((linkages.front().point - bars.input_circle) / direction(bars.input_circle, bars.output_circle))},
+      {"input_center", pair(bars.input_fixed)},
+      {"output_center", pair(bars.output_fixed)},
+      {"arm", pair((linkages.front().point - bars.input_moving) / direction(bars.input_moving, bars.output_moving))},
       {"deviations", sample_errors(pose_output(linkages, 1), tolerances, 1).deviations}};
   for (const TracingFourBar& there : linkages)
     file["positions"].push_back(
-        {{"input_direction", pair(direction(there.bars.input_center, there.bars.input_circle))},
-         {"coupler_direction", pair(direction(there.bars.input_circle, there.bars.output_circle))},
+        {{"input_direction", pair(direction(there.bars.input_fixed, there.bars.input_moving))},
+         {"coupler_direction", pair(direction(there.bars.input_moving, there.bars.output_moving))},
          {"point", pair(there.point)},
          {"assembly", assembly_of(there.bars) == Assembly::positive ? 1 : -1}});
   return file.dump();

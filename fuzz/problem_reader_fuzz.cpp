@@ -84,7 +84,7 @@ void check_problem(std::string_view text) {
 }
 
 bool same_bars(const StoredLinkage& again, const StoredLinkage& linkage) {
-  return again.four_bar.input_circle == linkage.four_bar.input_circle;
+  return again.four_bar.input_moving == linkage.four_bar.input_moving;
 }
 
 bool same_bars(const StoredSphericalFourBar& again, const StoredSphericalFourBar& linkage) {

@@ -124,9 +124,9 @@ std::string pivot_table(const FourBarAnswer& answer, int decimals) {
   TextTable table({"#", "input: fixed pivot", "moving pivot", "output: fixed pivot", "moving pivot"});
   for (std::size_t i = 0; i < linkages.size(); ++i) {
     const FourBar& bars = linkages[i].four_bar;
-    table.add_row({fmt::format("{}", i + 1), pivot_text(bars.input_center, decimals),
-                   pivot_text(bars.input_circle, decimals), pivot_text(bars.output_center, decimals),
-                   pivot_text(bars.output_circle, decimals)});
+    table.add_row({fmt::format("{}", i + 1), pivot_text(bars.input_fixed, decimals),
+                   pivot_text(bars.input_moving, decimals), pivot_text(bars.output_fixed, decimals),
+                   pivot_text(bars.output_moving, decimals)});
   }
   return fmt::format("Pivots (x, y), moving pivots as they lie {}:\n", first_pose(answer)) + table.text();
 }

@@ -140,10 +140,10 @@ std::vector<std::string> limits_touched(const Requirements& requirements, const 
   const double longest = found.lengths.longest();
   std::vector<std::string> touched =
       limits_of_size(requirements, gamma, longest / found.lengths.shortest(), longest, unit);
-  add_border(touched, requirements.ground_pivots_within, found.four_bar.input_center, "the input's fixed pivot");
-  add_border(touched, requirements.ground_pivots_within, found.four_bar.output_center, "the output's fixed pivot");
-  add_border(touched, requirements.moving_pivots_within, found.four_bar.input_circle, "the input's moving pivot");
-  add_border(touched, requirements.moving_pivots_within, found.four_bar.output_circle, "the output's moving pivot");
+  add_border(touched, requirements.ground_pivots_within, found.four_bar.input_fixed, "the input's fixed pivot");
+  add_border(touched, requirements.ground_pivots_within, found.four_bar.output_fixed, "the output's fixed pivot");
+  add_border(touched, requirements.moving_pivots_within, found.four_bar.input_moving, "the input's moving pivot");
+  add_border(touched, requirements.moving_pivots_within, found.four_bar.output_moving, "the output's moving pivot");
   return touched;
 }
 

@@ -128,9 +128,9 @@ std::string line_pivots(const Lines& all, int decimals) {
   TextTable table({"#", "input: fixed pivot", "moving pivot", "output: fixed pivot", "moving pivot", "point"});
   for (std::size_t i = 0; i < all.size(); ++i) {
     const FourBar& bars = all[i].linkage.bars;
-    table.add_row({fmt::format("{}", i + 1), pivot_text(bars.input_center, decimals),
-                   pivot_text(bars.input_circle, decimals), pivot_text(bars.output_center, decimals),
-                   pivot_text(bars.output_circle, decimals), pivot_text(all[i].linkage.point, decimals)});
+    table.add_row({fmt::format("{}", i + 1), pivot_text(bars.input_fixed, decimals),
+                   pivot_text(bars.input_moving, decimals), pivot_text(bars.output_fixed, decimals),
+                   pivot_text(bars.output_moving, decimals), pivot_text(all[i].linkage.point, decimals)});
   }
   return "Pivots (x, y), as the linkage lies with its point on the line:\n" + table.text();
 }
@@ -144,8 +144,8 @@ std::string cognate_words(const StraightLineSolution& found, int decimals) {
     const LinkLengths lengths = bars.lengths();
     table.add_row({std::string(short_label(other.type)), rounded_text(lengths.ground, decimals),
                    rounded_text(lengths.input, decimals), rounded_text(lengths.coupler, decimals),
-                   rounded_text(lengths.output, decimals), pivot_text(bars.input_center, decimals),
-                   pivot_text(bars.output_center, decimals), angle_text(other.over_usable.min_transmission_angle, 1)});
+                   rounded_text(lengths.output, decimals), pivot_text(bars.input_fixed, decimals),
+                   pivot_text(bars.output_fixed, decimals), angle_text(other.over_usable.min_transmission_angle, 1)});
   }
   return "Linkages whose point traces the same path as that of linkage 1 (its cognates):\n" + table.text() + "\n";
 }

@@ -12,7 +12,7 @@ namespace {
 // The part of the plane in which curves are followed.
 PlaneWindow around(const FourBar& bars) {
   constexpr double reach = 10, pixels = 1600;  // px as of a picture: a vertex every three of them
-  const Point center = (bars.input_center + bars.output_center) / 2.0;
+  const Point center = (bars.input_fixed + bars.output_fixed) / 2.0;
   const double half = reach * bars.lengths().longest();
   const std::array<Point, 2> corners = {center - Point{half, half}, center + Point{half, half}};
   return {{0, 0, pixels, pixels}, corners, 0};

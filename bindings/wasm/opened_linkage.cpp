@@ -68,8 +68,8 @@ LinkageReply reply_of(const StoredLinkage& linkage) {
   const std::vector<PrescribedPose> poses = poses_of(linkage);
   const PoseVisits visits = pose_visits(bars, poses);
   FourBarSolution shown;
-  shown.input = dyad_of(bars.input_center, bars.input_circle);
-  shown.output = dyad_of(bars.output_center, bars.output_circle);
+  shown.input = dyad_of(bars.input_fixed, bars.input_moving);
+  shown.output = dyad_of(bars.output_fixed, bars.output_moving);
   shown.four_bar = bars;
   shown.lengths = bars.lengths();
   shown.report = find_defects(bars, poses);

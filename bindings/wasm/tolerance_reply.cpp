@@ -58,8 +58,8 @@ void append(std::vector<double>& drawn, std::initializer_list<Point> points) {
   for (const Point p : points) drawn.insert(drawn.end(), {p.real(), p.imag()});
 }
 void append_joints(std::vector<double>& drawn, const TracingFourBar& made) {
-  append(drawn, {made.bars.input_center, made.bars.input_circle, made.bars.output_circle, made.bars.output_center,
-                 made.point});
+  append(drawn,
+         {made.bars.input_fixed, made.bars.input_moving, made.bars.output_moving, made.bars.output_fixed, made.point});
 }
 void append_joints(std::vector<double>& drawn, const SphericalFourBar& made) {
   for (const Vector3 axis : {made.input_fixed, made.input_moving, made.output_moving, made.output_fixed})

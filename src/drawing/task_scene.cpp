@@ -91,7 +91,7 @@ std::vector<Point> points_of_interest(const TaskScene& scene, double size) {
   const FourBar& best = scene.linkage->four_bar;
   for (std::size_t pose = 0; pose < scene.served.size(); ++pose) {
     const FourBar bars = in_pose(best, scene.served, pose);
-    points.insert(points.end(), {bars.input_center, bars.input_circle, bars.output_center, bars.output_circle});
+    points.insert(points.end(), {bars.input_fixed, bars.input_moving, bars.output_fixed, bars.output_moving});
   }
   if (scene.traced)
     for (const Point p : path_of_task(best, scene.served, *scene.traced)) points.push_back(p);

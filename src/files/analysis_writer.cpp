@@ -136,7 +136,7 @@ std::string write_analysis(const LinkageAnalysis& analysis) {
 
 Result<LinkageInstant> instant_of(const StoredLinkage& linkage, const InstantAsked& asked) {
   const auto point = asked.point ? asked.point : linkage.point;
-  TracingFourBar traced{linkage.four_bar, point.value_or(linkage.four_bar.input_circle)};
+  TracingFourBar traced{linkage.four_bar, point.value_or(linkage.four_bar.input_moving)};
   if (asked.input_angle) {
     const auto turned = with_input_at(traced, *asked.input_angle);
     if (!turned)

@@ -34,19 +34,19 @@ void fields(FieldVisitor& v, const Defects& defects) {
 
 void fields(FieldVisitor& v, const FourBar& four_bar) {
   v.object({.name = "pivots", .on_lines = true}, [&](FieldVisitor& to) {
-    to.shown("input_center", four_bar.input_center, forms::shown_point);
-    to.shown("input_circle", four_bar.input_circle, forms::shown_point);
-    to.shown("output_center", four_bar.output_center, forms::shown_point);
-    to.shown("output_circle", four_bar.output_circle, forms::shown_point);
+    to.shown("input_center", four_bar.input_fixed, forms::shown_point);
+    to.shown("input_circle", four_bar.input_moving, forms::shown_point);
+    to.shown("output_center", four_bar.output_fixed, forms::shown_point);
+    to.shown("output_circle", four_bar.output_moving, forms::shown_point);
   });
 }
 
 void fields(FieldVisitor& v, const TracingFourBar& linkage) {
   v.object({.name = "tracing_pivots", .on_lines = true}, [&](FieldVisitor& to) {
-    to.shown("input_fixed", linkage.bars.input_center, forms::shown_point);
-    to.shown("input_moving", linkage.bars.input_circle, forms::shown_point);
-    to.shown("output_moving", linkage.bars.output_circle, forms::shown_point);
-    to.shown("output_fixed", linkage.bars.output_center, forms::shown_point);
+    to.shown("input_fixed", linkage.bars.input_fixed, forms::shown_point);
+    to.shown("input_moving", linkage.bars.input_moving, forms::shown_point);
+    to.shown("output_moving", linkage.bars.output_moving, forms::shown_point);
+    to.shown("output_fixed", linkage.bars.output_fixed, forms::shown_point);
     to.shown("point", linkage.point, forms::shown_point);
   });
 }

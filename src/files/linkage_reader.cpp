@@ -67,7 +67,7 @@ bool in_range(Point point) {
 /// A linkage whose four pivots are known: in range, no link without length.
 std::optional<FourBar> checked(const FourBar& four_bar, const JsonValue& value) {
   for (const Point pivot :
-       {four_bar.input_center, four_bar.input_circle, four_bar.output_center, four_bar.output_circle}) {
+       {four_bar.input_fixed, four_bar.input_moving, four_bar.output_fixed, four_bar.output_moving}) {
     if (in_range(pivot)) continue;
     value.mistake("pivot_range", fmt::format("the coordinates of a pivot lie between ±{}", limit_text(largest_number)),
                   {{"most", limit_text(largest_number)}});
@@ -92,12 +92,12 @@ std::optional<TracedBars> read_tracing_pivots(const JsonValue& value, Mistakes& 
 
 std::optional<FourBar> read_pivots(const JsonValue& value, Mistakes& mistakes) {
   const JsonObject object(value, mistakes, {"input_center", "input_circle", "output_center", "output_circle"});
-  const auto input_center = object.require_point("input_center");
-  const auto input_circle = object.require_point("input_circle");
-  const auto output_center = object.require_point("output_center");
-  const auto output_circle = object.require_point("output_circle");
-  if (!input_center || !input_circle || !output_center || !output_circle) return std::nullopt;
-  return checked({*input_center, *input_circle, *output_center, *output_circle}, value);
+  const auto input_fixed = object.require_point("input_center");
+  const auto input_moving = object.require_point("input_circle");
+  const auto output_fixed = object.require_point("output_center");
+  const auto output_moving = object.require_point("output_circle");
+  if (!input_fixed || !input_moving || !output_fixed || !output_moving) return std::nullopt;
+  return checked({*input_fixed, *input_moving, *output_fixed, *output_moving}, value);
 }
 
 /// Input angle in the middle of its first range, at right angles to the ground link where it turns fully.

@@ -43,9 +43,9 @@ std::optional<MotionSeries> MotionSeries::by_turn() const {
 
 std::optional<LoopSeries> loop_series(const FourBar& four_bar) {
   const double size = four_bar.lengths().perimeter();
-  const std::array<Point, 3> links = {(four_bar.input_circle - four_bar.input_center) / size,
-                                      (four_bar.output_circle - four_bar.input_circle) / size,
-                                      (four_bar.output_center - four_bar.output_circle) / size};
+  const std::array<Point, 3> links = {(four_bar.input_moving - four_bar.input_fixed) / size,
+                                      (four_bar.output_moving - four_bar.input_moving) / size,
+                                      (four_bar.output_fixed - four_bar.output_moving) / size};
   const Vector3 along_x{links[0].real(), links[1].real(), links[2].real()},
       along_y{links[0].imag(), links[1].imag(), links[2].imag()};
   const Vector3 way = cross(along_x, along_y);
@@ -70,9 +70,9 @@ std::optional<LoopSeries> loop_series(const FourBar& four_bar) {
 }
 
 MotionSeries coupler_motion(const FourBar& four_bar, const LoopSeries& loop) {
-  const Point arm = four_bar.input_circle - four_bar.input_center;
+  const Point arm = four_bar.input_moving - four_bar.input_fixed;
   ComplexSeries<motion_order> path = arm * rotation(loop.input);
-  path.c[0] = four_bar.input_circle;
+  path.c[0] = four_bar.input_moving;
   return {path, loop.coupler};
 }
 

@@ -12,17 +12,17 @@ bool are_parallel(Point u, Point v) {
 }
 
 void add_of_side_link(const FourBar& bars, std::string_view link, std::string_view other, std::vector<Notice>& notes) {
-  const Point side = bars.input_circle - bars.input_center;
+  const Point side = bars.input_moving - bars.input_fixed;
   const auto note = [&](std::string code, std::string_view words) {
     notes.push_back({std::move(code),
                      fmt::format(fmt::runtime(words), fmt::arg("link", link), fmt::arg("other", other)),
                      {{"link", link}, {"other", other}}});
   };
-  if (are_parallel(side, bars.output_center - bars.input_center))
+  if (are_parallel(side, bars.output_fixed - bars.input_fixed))
     note("side_link_on_frame_line",
          "the {link} lies on the frame line, so that the pole is the fixed pivot of the {other}, whose moving pivot "
          "lies on the pole tangent; the circling-point curve is the pole tangent and a circle");
-  if (are_parallel(side, bars.output_circle - bars.input_circle))
+  if (are_parallel(side, bars.output_moving - bars.input_moving))
     note("side_link_in_line_with_coupler",
          "the {link} lies in line with the coupler, so that the pole is the moving pivot of the {other}, whose fixed "
          "pivot lies on the pole tangent; the centering-point curve is the pole tangent and a circle, and Ball's point "
@@ -32,8 +32,8 @@ void add_of_side_link(const FourBar& bars, std::string_view link, std::string_vi
 }  // namespace
 
 std::vector<Notice> special_configurations(const FourBar& bars) {
-  const Point input = bars.input_circle - bars.input_center, output = bars.output_circle - bars.output_center,
-              frame = bars.output_center - bars.input_center, coupler = bars.output_circle - bars.input_circle;
+  const Point input = bars.input_moving - bars.input_fixed, output = bars.output_moving - bars.output_fixed,
+              frame = bars.output_fixed - bars.input_fixed, coupler = bars.output_moving - bars.input_moving;
   const bool has_parallel_sides = are_parallel(input, output), is_coupler_parallel = are_parallel(coupler, frame);
   if (has_parallel_sides && are_parallel(input, frame)) return {};
   if (has_parallel_sides && is_coupler_parallel)

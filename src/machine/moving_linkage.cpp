@@ -23,9 +23,9 @@ Displacement carried(Point a, Point b, Point a_now, Point b_now) {
 }
 
 std::vector<Displacement> carried(const FourBar& first, const FourBar& now) {
-  return {Displacement(), carried(first.input_center, first.input_circle, now.input_center, now.input_circle),
-          carried(first.input_circle, first.output_circle, now.input_circle, now.output_circle),
-          carried(first.output_center, first.output_circle, now.output_center, now.output_circle)};
+  return {Displacement(), carried(first.input_fixed, first.input_moving, now.input_fixed, now.input_moving),
+          carried(first.input_moving, first.output_moving, now.input_moving, now.output_moving),
+          carried(first.output_fixed, first.output_moving, now.output_fixed, now.output_moving)};
 }
 
 MovingLinkage named(std::string title, std::string unit) {
@@ -50,8 +50,8 @@ MovingLinkage four_bar(std::string title, std::string unit, const std::array<Vec
 MovingLinkage moving(const StoredLinkage& stored) {
   const FourBar& bars = stored.four_bar;
   MovingLinkage linkage = four_bar(stored.title, stored.length_unit,
-                                   {in_space(bars.input_center), in_space(bars.input_circle),
-                                    in_space(bars.output_circle), in_space(bars.output_center)});
+                                   {in_space(bars.input_fixed), in_space(bars.input_moving),
+                                    in_space(bars.output_moving), in_space(bars.output_fixed)});
   if (stored.point) linkage.traced = in_space(*stored.point);
   const std::vector<PrescribedPose> poses = framed_poses(stored);
   const PoseVisits visits = pose_visits(bars, poses);

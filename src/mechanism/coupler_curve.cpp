@@ -17,7 +17,7 @@ class CycleRecorder {
  public:
   CycleRecorder(const FourBar& four_bar, Point traced)
       : reference_(four_bar), lengths_(four_bar.lengths()), start_(configuration_of(four_bar)) {
-    traced_ = traced - four_bar.input_circle;
+    traced_ = traced - four_bar.input_moving;
   }
 
   /// Drives the input from `from` to `to` in `samples` states; the first only where it does not repeat the last one.
@@ -34,7 +34,7 @@ class CycleRecorder {
   void record(Configuration c) {
     continue_angles(c);
     MotionState state{c, placed(reference_, c), {}, transmission_angle(lengths_, c), angle_rates(lengths_, c)};
-    state.coupler_point = state.four_bar.input_circle + direction(c.coupler_angle - start_.coupler_angle) * traced_;
+    state.coupler_point = state.four_bar.input_moving + direction(c.coupler_angle - start_.coupler_angle) * traced_;
     states_.push_back(state);
   }
 
@@ -98,8 +98,8 @@ std::vector<MotionState> motion_sweep(const FourBar& four_bar, Point traced, dou
 
 std::optional<std::array<TracingFourBar, 2>> cognates(const TracingFourBar& linkage) {
   const FourBar& bars = linkage.bars;
-  const double shortest = std::min({bars.lengths().coupler, std::abs(linkage.point - bars.input_circle),
-                                    std::abs(linkage.point - bars.output_circle)});
+  const double shortest = std::min({bars.lengths().coupler, std::abs(linkage.point - bars.input_moving),
+                                    std::abs(linkage.point - bars.output_moving)});
   if (!(shortest > tolerance::vanishing_link * linkage.longest())) return std::nullopt;
   return std::array{cognate_on_input(linkage), cognate_on_input(linkage.swapped())};
 }

@@ -89,9 +89,9 @@ DriveSense drive_sense(bool ccw, bool cw) {
 
 DefectReport find_defects(const FourBar& four_bar, std::span<const PrescribedPose> poses, bool respect_direction) {
   require(!poses.empty() && poses.size() <= 5, "one to five poses are judged");
-  const GroundedLink input = grounded_link(four_bar.input_center, four_bar.input_circle, poses);
-  const GroundedLink output = grounded_link(four_bar.output_center, four_bar.output_circle, poses);
-  const DriverSequence order = driver_sequence(input.center, four_bar.input_circle, poses, respect_direction);
+  const GroundedLink input = grounded_link(four_bar.input_fixed, four_bar.input_moving, poses);
+  const GroundedLink output = grounded_link(four_bar.output_fixed, four_bar.output_moving, poses);
+  const DriverSequence order = driver_sequence(input.center, four_bar.input_moving, poses, respect_direction);
   const auto v = isa_single::with_position_count(static_cast<int>(poses.size()), [&](auto count) {
     return verdict<decltype(count)::value>(input, output, order);
   });

@@ -74,7 +74,7 @@ class DriveRecorder {
     state.coupler_turn = c.coupler_angle - start_.coupler_angle;
     state.output_turn = c.output_angle - start_.output_angle;
     const Pose& first = poses_.front().pose;
-    state.body = {bars.input_circle + direction(state.coupler_turn) * (first.origin - reference_.input_circle),
+    state.body = {bars.input_moving + direction(state.coupler_turn) * (first.origin - reference_.input_moving),
                   first.angle + state.coupler_turn};
     state.transmission_angle = transmission_angle(lengths_, c);
     if (const auto rates = angle_rates(lengths_, c)) {

@@ -20,15 +20,15 @@ Point rate_of(const PrescribedPose& pose, Point point) {
 
 DriveTarget target_of(const FourBar& four_bar, const Pose& first, const PrescribedPose& prescribed) {
   const Pose& pose = prescribed.pose;
-  const Point ground = four_bar.output_center - four_bar.input_center;
+  const Point ground = four_bar.output_fixed - four_bar.input_fixed;
   const Point turn = std::conj(ground) / std::abs(ground);
-  const Point input_circle = displaced(four_bar.input_circle, first, pose);
-  const Point output_circle = displaced(four_bar.output_circle, first, pose);
-  const Point a = turn * (input_circle - four_bar.input_center), b = turn * (output_circle - four_bar.input_center);
+  const Point input_moving = displaced(four_bar.input_moving, first, pose);
+  const Point output_moving = displaced(four_bar.output_moving, first, pose);
+  const Point a = turn * (input_moving - four_bar.input_fixed), b = turn * (output_moving - four_bar.input_fixed);
   DriveTarget target{{std::arg(a), std::arg(b - a), std::arg(b - std::abs(ground))}, {in_space(a), in_space(b)}, {}};
   if (!prescribed.derivatives.empty())
-    target.rates = {in_space(turn * rate_of(prescribed, input_circle)),
-                    in_space(turn * rate_of(prescribed, output_circle))};
+    target.rates = {in_space(turn * rate_of(prescribed, input_moving)),
+                    in_space(turn * rate_of(prescribed, output_moving))};
   return target;
 }
 

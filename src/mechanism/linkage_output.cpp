@@ -12,7 +12,7 @@ std::vector<TracingFourBar> carried_along(const FourBar& bars, std::span<const P
   std::vector<TracingFourBar> positions;
   for (const PrescribedPose& there : poses) {
     const auto moved = [&](Point p) { return displaced(p, poses.front().pose, there.pose); };
-    positions.push_back({{bars.input_center, moved(bars.input_circle), bars.output_center, moved(bars.output_circle)},
+    positions.push_back({{bars.input_fixed, moved(bars.input_moving), bars.output_fixed, moved(bars.output_moving)},
                          there.pose.origin});
   }
   return positions;
@@ -30,7 +30,7 @@ PlanarOutput pose_output(const FourBar& bars, std::span<const PrescribedPose> po
 
 PlanarOutput angle_output(std::span<const FourBar> positions) {
   PlanarOutput output{PlanarOutput::Kind::angle, {}, 0, {}, false};
-  for (const FourBar& bars : positions) output.positions.push_back({bars, bars.input_circle});
+  for (const FourBar& bars : positions) output.positions.push_back({bars, bars.input_moving});
   return output;
 }
 

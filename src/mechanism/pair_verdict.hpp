@@ -79,13 +79,13 @@ struct Pairs {
 
   LINKWRIGHT_INLINE Real arm_x(int j) const { return load<Width>(driven.arm_x[j] + first); }
   LINKWRIGHT_INLINE Real arm_y(int j) const { return load<Width>(driven.arm_y[j] + first); }
-  LINKWRIGHT_INLINE Real at_input_center(int j) const {
+  LINKWRIGHT_INLINE Real at_input_fixed(int j) const {
     return d.frame_x * driver.arm_y[j] - d.frame_y * driver.arm_x[j];
   }
-  LINKWRIGHT_INLINE Real at_input_circle(int j) const {
+  LINKWRIGHT_INLINE Real at_input_moving(int j) const {
     return (arm_x(j) + d.frame_x) * driver.arm_y[j] - (arm_y(j) + d.frame_y) * driver.arm_x[j];
   }
-  LINKWRIGHT_INLINE Real at_output_circle(int j) const {
+  LINKWRIGHT_INLINE Real at_output_moving(int j) const {
     return arm_x(j) * (driver.arm_y[j] - d.frame_y) - arm_y(j) * (driver.arm_x[j] - d.frame_x);
   }
 };
@@ -135,12 +135,12 @@ LINKWRIGHT_INLINE unsigned long long type_codes(const ExcessSigns& s) {
 /// crank the output's, of a rocker-crank the input's moving joint, of a double rocker its fixed one.
 template <int Width, int Poses, int Count>
 LINKWRIGHT_INLINE LostWays lost_ways(const Pairs<Width, Poses, Count>& pairs, const ExcessSigns& s) {
-  const Mask output_changes = changes_sign<Width, Poses>([&](int j) { return pairs.at_output_circle(j); });
+  const Mask output_changes = changes_sign<Width, Poses>([&](int j) { return pairs.at_output_moving(j); });
   Mask circuit = s.input_is_crank() & output_changes;
   if (const Mask lanes = s.rocker_crank())
-    circuit |= lanes & changes_sign<Width, Poses>([&](int j) { return pairs.at_input_circle(j); });
+    circuit |= lanes & changes_sign<Width, Poses>([&](int j) { return pairs.at_input_moving(j); });
   if (const Mask lanes = s.double_rocker())
-    circuit |= lanes & changes_sign<Width, Poses>([&](int j) { return pairs.at_input_center(j); });
+    circuit |= lanes & changes_sign<Width, Poses>([&](int j) { return pairs.at_input_fixed(j); });
   return {circuit, circuit | output_changes};
 }
 
@@ -162,7 +162,7 @@ LINKWRIGHT_INLINE PairVerdict<Width> pair_verdict(const Driver<Poses>& driver, c
   const Real worst_0 = magnitude<Width>(still + swing), worst_pi = magnitude<Width>(still - swing);
   Drive<Width> way;
   if (driver.admissible_directions && lost.branch != all_lanes<Width>) {
-    const Real first_turn = pairs.at_input_center(0), last_turn = pairs.at_input_center(Poses - 1);
+    const Real first_turn = pairs.at_input_fixed(0), last_turn = pairs.at_input_fixed(Poses - 1);
     way = drive<Width>(driver.admissible_directions, driver.at_least_half_turn, first_turn, last_turn,
                        {s.input_meets_frame(), s.p3, larger(at_pose(0), at_pose(Poses - 1)), worst_0, worst_pi});
   }

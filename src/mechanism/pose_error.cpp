@@ -18,8 +18,8 @@ class CouplerTravel {
  public:
   CouplerTravel(const FourBar& bars, const Pose& given, const RelaxedPose& wanted, Assembly assembly, double sense)
       : bars_(bars),
-        coupler_(bars.output_circle - bars.input_circle),
-        offset_(given.origin - bars.input_circle),
+        coupler_(bars.output_moving - bars.input_moving),
+        offset_(given.origin - bars.input_moving),
         wanted_(wanted.pose.origin),
         wanted_turn_(direction(wanted.pose.angle - given.angle)),
         size_(wanted.size),
@@ -37,8 +37,8 @@ class CouplerTravel {
   };
 
   [[nodiscard]] Deviation at(double turn) const {
-    const Point arm = direction(sense_ * turn) * (bars_.input_circle - bars_.input_center);
-    const Point a = bars_.input_center + arm, diagonal = bars_.output_center - a;
+    const Point arm = direction(sense_ * turn) * (bars_.input_moving - bars_.input_fixed);
+    const Point a = bars_.input_fixed + arm, diagonal = bars_.output_fixed - a;
     const double d = std::norm(diagonal);
     if (!(d > 0)) return {};  // the output link could lie anywhere
     // B from both ends of the diagonal, by its foot and its height over it.

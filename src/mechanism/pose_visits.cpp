@@ -15,13 +15,13 @@ namespace {
 /// The joint that tells the circuits apart: the one that is not at the shortest link. A linkage without Grashof's
 /// property has one circuit only.
 bool circuit_sign_of(const FourBar& bars, LinkageType type) {
-  const Point frame = bars.output_center - bars.input_center, arm = bars.input_circle - bars.input_center;
+  const Point frame = bars.output_fixed - bars.input_fixed, arm = bars.input_moving - bars.input_fixed;
   switch (type) {
     case LinkageType::crank_rocker:
     case LinkageType::double_crank:
       return assembly_of(bars) == Assembly::positive;
     case LinkageType::rocker_crank:
-      return !std::signbit(cross(bars.output_circle - bars.input_center, arm));
+      return !std::signbit(cross(bars.output_moving - bars.input_fixed, arm));
     case LinkageType::double_rocker:
       return !std::signbit(cross(frame, arm));
     default:
@@ -30,8 +30,8 @@ bool circuit_sign_of(const FourBar& bars, LinkageType type) {
 }
 
 FourBar four_bar_at(const FourBar& first, const Pose& from, const Pose& to) {
-  return {first.input_center, displaced(first.input_circle, from, to), first.output_center,
-          displaced(first.output_circle, from, to)};
+  return {first.input_fixed, displaced(first.input_moving, from, to), first.output_fixed,
+          displaced(first.output_moving, from, to)};
 }
 
 int inversions(const std::vector<int>& order) {
@@ -79,8 +79,8 @@ int passed_against(const PoseVisits& visits, std::span<const PrescribedPose> pos
     if (poses[j].derivatives.empty()) continue;
     const FourBar& bars = visits.four_bars[j];
     const PoseDerivative& d = poses[j].derivatives.front();
-    const Point velocity = d.origin + Point{0, d.angle} * (bars.input_circle - poses[j].pose.origin);
-    count += sense * cross(bars.input_circle - bars.input_center, velocity) < 0;
+    const Point velocity = d.origin + Point{0, d.angle} * (bars.input_moving - poses[j].pose.origin);
+    count += sense * cross(bars.input_moving - bars.input_fixed, velocity) < 0;
   }
   return count;
 }

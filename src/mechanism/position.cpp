@@ -16,7 +16,7 @@ Point unit(Point v) {
   return length > 0 && std::isfinite(length) ? v / length : Point{1, 0};
 }
 
-Point axis_of(const FourBar& four_bar) { return unit(four_bar.output_center - four_bar.input_center); }
+Point axis_of(const FourBar& four_bar) { return unit(four_bar.output_fixed - four_bar.input_fixed); }
 
 double angle_from(Point axis, Point v) { return wrap_signed(std::arg(unit(v) * std::conj(axis))); }
 
@@ -54,15 +54,15 @@ void append_dead_point(std::vector<DeadPoint>& points, const LinkLengths& length
 
 Assembly assembly_of(const FourBar& four_bar) {
   const double joint =
-      cross(four_bar.input_circle - four_bar.output_circle, four_bar.output_center - four_bar.output_circle);
+      cross(four_bar.input_moving - four_bar.output_moving, four_bar.output_fixed - four_bar.output_moving);
   return joint < 0 ? Assembly::negative : Assembly::positive;
 }
 
 Configuration configuration_of(const FourBar& four_bar) {
   const Point axis = axis_of(four_bar);
-  return {angle_from(axis, four_bar.input_circle - four_bar.input_center),
-          angle_from(axis, four_bar.output_circle - four_bar.input_circle),
-          angle_from(axis, four_bar.output_circle - four_bar.output_center)};
+  return {angle_from(axis, four_bar.input_moving - four_bar.input_fixed),
+          angle_from(axis, four_bar.output_moving - four_bar.input_moving),
+          angle_from(axis, four_bar.output_moving - four_bar.output_fixed)};
 }
 
 std::optional<Configuration> assemble(const LinkLengths& lengths, double input_angle, Assembly assembly) {
@@ -81,9 +81,9 @@ std::optional<Configuration> assemble(const LinkLengths& lengths, double input_a
 FourBar placed(const FourBar& reference, const Configuration& configuration) {
   const LinkLengths lengths = reference.lengths();
   const Point axis = axis_of(reference);
-  return {reference.input_center, reference.input_center + lengths.input * axis * direction(configuration.input_angle),
-          reference.output_center,
-          reference.output_center + lengths.output * axis * direction(configuration.output_angle)};
+  return {reference.input_fixed, reference.input_fixed + lengths.input * axis * direction(configuration.input_angle),
+          reference.output_fixed,
+          reference.output_fixed + lengths.output * axis * direction(configuration.output_angle)};
 }
 
 bool AngleRange::is_full_turn() const { return to - from >= two_pi; }

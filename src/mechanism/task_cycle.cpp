@@ -30,7 +30,7 @@ class Cycle {
     if (visits_.four_bars.empty()) return;
     start_ = configuration_of(four_bar);
     last_ = start_;
-    ground_ = std::arg(four_bar.output_center - four_bar.input_center);
+    ground_ = std::arg(four_bar.output_fixed - four_bar.input_fixed);
     range_ = range_around(input_ranges(lengths_), start_.input_angle);
     range_ = {range_.from - start_.input_angle, range_.to - start_.input_angle};
   }
@@ -76,12 +76,12 @@ class Cycle {
     const auto found = assemble(lengths_, start_.input_angle + turn, assembly);
     if (!found) return std::nullopt;
     const FourBar bars = placed(visits_.four_bars.front(), *found);
-    const Point input_gap = visits_.four_bars[pose].input_circle - bars.input_circle,
-                output_gap = visits_.four_bars[pose].output_circle - bars.output_circle;
+    const Point input_gap = visits_.four_bars[pose].input_moving - bars.input_moving,
+                output_gap = visits_.four_bars[pose].output_moving - bars.output_moving;
     Approach here{std::norm(input_gap) + std::norm(output_gap), 0};
     if (const auto rates = angle_rates(lengths_, *found)) {
-      const Point input_way = Point{0, 1} * (bars.input_circle - bars.input_center),
-                  output_way = Point{0, rates->output} * (bars.output_circle - bars.output_center);
+      const Point input_way = Point{0, 1} * (bars.input_moving - bars.input_fixed),
+                  output_way = Point{0, rates->output} * (bars.output_moving - bars.output_fixed);
       here.step =
           (dot(input_way, input_gap) + dot(output_way, output_gap)) / (std::norm(input_way) + std::norm(output_way));
     }
@@ -155,8 +155,8 @@ class Cycle {
 
   [[nodiscard]] Pose body_at(const FourBar& bars, double coupler_turn) const {
     const Pose& first = poses_.front().pose;
-    const Point arm = first.origin - visits_.four_bars.front().input_circle;
-    return {bars.input_circle + direction(coupler_turn) * arm, first.angle + coupler_turn};
+    const Point arm = first.origin - visits_.four_bars.front().input_moving;
+    return {bars.input_moving + direction(coupler_turn) * arm, first.angle + coupler_turn};
   }
 
   std::span<const PrescribedPose> poses_;

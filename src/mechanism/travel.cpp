@@ -72,8 +72,8 @@ Travel travel_of(const PoseVisits& visits, std::span<const PrescribedPose> poses
   for (const DriveState& driven : table.states) {
     const FourBar& bars = driven.four_bar;
     travel.states.push_back({driven.turn,
-                             {in_space(bars.input_center), in_space(bars.input_circle), in_space(bars.output_circle),
-                              in_space(bars.output_center)},
+                             {in_space(bars.input_fixed), in_space(bars.input_moving), in_space(bars.output_moving),
+                              in_space(bars.output_fixed)},
                              driven.body,
                              {},
                              driven.coupler_turn,

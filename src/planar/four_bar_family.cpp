@@ -41,8 +41,8 @@ std::optional<FourBar> four_bar_of(const DyadPair& links) {
 }
 
 Pivots pivots_of(const FourBar& bars) {
-  return {{in_space(bars.input_center), in_space(bars.output_center)},
-          {in_space(bars.input_circle), in_space(bars.output_circle)}};
+  return {{in_space(bars.input_fixed), in_space(bars.output_fixed)},
+          {in_space(bars.input_moving), in_space(bars.output_moving)}};
 }
 
 FourBar four_bar_of(const Pivots& pivots) {

@@ -36,8 +36,8 @@ std::optional<FourBarSolution> make_four_bar(const TaskFamily& given, MapPoint p
   if (solution.report.type == LinkageType::degenerate) return std::nullopt;
   solution.swapped = find_defects(bars.swapped(), poses, respect_direction);
   const LengthCheck lengths(poses);
-  solution.input_residual = lengths.residual(bars.input_center, bars.input_circle);
-  solution.output_residual = lengths.residual(bars.output_center, bars.output_circle);
+  solution.input_residual = lengths.residual(bars.input_fixed, bars.input_moving);
+  solution.output_residual = lengths.residual(bars.output_fixed, bars.output_moving);
   solution.residual = std::max(solution.input_residual, solution.output_residual);
   if (given.relaxed) solution.pose_error = pose_error(bars, poses, *given.relaxed);
   solution.residual_derivatives = derivative_residual(given.derivative_rows, *links);

@@ -39,18 +39,18 @@ struct Arms {
 };
 
 Arms arms_at(const FourBar& bars, const AnglePair& first, const AnglePair& pair) {
-  Arms arms{turned(bars.input_circle - bars.input_center, pair.input - first.input, pair.derivatives,
-                   &AngleDerivative::input),
-            turned(bars.output_circle - bars.output_center, pair.output - first.output, pair.derivatives,
-                   &AngleDerivative::output)};
+  Arms arms{
+      turned(bars.input_moving - bars.input_fixed, pair.input - first.input, pair.derivatives, &AngleDerivative::input),
+      turned(bars.output_moving - bars.output_fixed, pair.output - first.output, pair.derivatives,
+             &AngleDerivative::output)};
   for (std::size_t m = 0; m < arms.coupler.size(); ++m) arms.coupler[m] -= arms.input[m];
-  arms.coupler[0] += bars.output_center - bars.input_center;
+  arms.coupler[0] += bars.output_fixed - bars.input_fixed;
   return arms;
 }
 
 PrescribedPose coupler_pose(const FourBar& bars, const Arms& arms) {
-  const Point first = bars.output_circle - bars.input_circle;
-  PrescribedPose pose{{bars.input_center + arms.input[0], std::arg(arms.coupler[0] * std::conj(first))}, {}};
+  const Point first = bars.output_moving - bars.input_moving;
+  PrescribedPose pose{{bars.input_fixed + arms.input[0], std::arg(arms.coupler[0] * std::conj(first))}, {}};
   const std::vector<double> rates = angle_derivatives(arms.coupler);
   for (std::size_t m = 0; m < rates.size(); ++m) pose.derivatives.push_back({arms.input[m + 1], rates[m]});
   return pose;

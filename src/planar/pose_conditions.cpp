@@ -160,8 +160,8 @@ Homogeneous WorkingFrame::to_working(Homogeneous p) const {
 }
 
 FourBar WorkingFrame::to_user(const FourBar& bars) const {
-  return {to_user(bars.input_center), to_user(bars.input_circle), to_user(bars.output_center),
-          to_user(bars.output_circle)};
+  return {to_user(bars.input_fixed), to_user(bars.input_moving), to_user(bars.output_fixed),
+          to_user(bars.output_moving)};
 }
 
 Dyad WorkingFrame::to_user(const Dyad& dyad) const {

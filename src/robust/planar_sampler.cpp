@@ -20,17 +20,17 @@ void set_linkage(const TracingFourBar& linkage, SamplingBlock& block) {
   block.input = lengths.input;
   block.coupler = lengths.coupler;
   block.output = lengths.output;
-  put(bars.input_center, block.input_center);
-  put(bars.output_center, block.output_center);
-  put(std::conj(unit_vector(bars.input_circle, bars.output_circle)) * (linkage.point - bars.input_circle), block.arm);
+  put(bars.input_fixed, block.input_fixed);
+  put(bars.output_fixed, block.output_fixed);
+  put(std::conj(unit_vector(bars.input_moving, bars.output_moving)) * (linkage.point - bars.input_moving), block.arm);
 }
 
 void set_position(const TracingFourBar& linkage, std::size_t j, SamplingBlock& block) {
   const FourBar& bars = linkage.bars;
-  put(unit_vector(bars.input_center, bars.input_circle), block.input_direction[j]);
+  put(unit_vector(bars.input_fixed, bars.input_moving), block.input_direction[j]);
   block.assembly[j] = assembly_of(bars) == Assembly::positive ? 1 : -1;
   put(linkage.point, block.point[j]);
-  put(unit_vector(block.kind == SamplingBlock::angle ? bars.output_center : bars.input_circle, bars.output_circle),
+  put(unit_vector(block.kind == SamplingBlock::angle ? bars.output_fixed : bars.input_moving, bars.output_moving),
       block.direction[j]);
 }
 

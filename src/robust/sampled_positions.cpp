@@ -31,18 +31,18 @@ std::vector<std::vector<Made>> all_positions(const Output& output, const Toleran
 std::optional<TracingFourBar> made_planar(const TracingFourBar& nominal, const std::vector<double>& off) {
   const FourBar& bars = nominal.bars;
   const LinkLengths was = bars.lengths();
-  const Point input_center = bars.input_center + Point{off[3], off[4]};
-  const Point output_center = bars.output_center + Point{off[5], off[6]}, ground = output_center - input_center;
+  const Point input_fixed = bars.input_fixed + Point{off[3], off[4]};
+  const Point output_fixed = bars.output_fixed + Point{off[5], off[6]}, ground = output_fixed - input_fixed;
   const LinkLengths lengths{std::abs(ground), was.input + off[0], was.coupler + off[1], was.output + off[2]};
   if (!(lengths.shortest() > 0)) return std::nullopt;
-  const double input = std::arg(bars.input_circle - bars.input_center) + off[9];
+  const double input = std::arg(bars.input_moving - bars.input_fixed) + off[9];
   const auto there = assemble(lengths, input - std::arg(ground), assembly_of(bars));
   if (!there) return std::nullopt;
-  const Point input_circle = input_center + lengths.input * direction(input);
+  const Point input_moving = input_fixed + lengths.input * direction(input);
   const Point along = direction(there->coupler_angle + std::arg(ground));
-  const Point arm = (nominal.point - bars.input_circle) * was.coupler / (bars.output_circle - bars.input_circle);
-  return TracingFourBar{{input_center, input_circle, output_center, input_circle + lengths.coupler * along},
-                        input_circle + (arm + Point{off[7], off[8]}) * along};
+  const Point arm = (nominal.point - bars.input_moving) * was.coupler / (bars.output_moving - bars.input_moving);
+  return TracingFourBar{{input_fixed, input_moving, output_fixed, input_moving + lengths.coupler * along},
+                        input_moving + (arm + Point{off[7], off[8]}) * along};
 }
 
 Vector3 along_arc(Vector3 from, Vector3 toward, double angle) {

@@ -48,7 +48,7 @@ struct SamplingBlock : SampledBlock {
   enum Kind : int { pose, angle, line };
 
   double input = 0, coupler = 0, output = 0;
-  double input_center[2] = {}, output_center[2] = {};
+  double input_fixed[2] = {}, output_fixed[2] = {};
   double arm[2] = {};  ///< of the point, along and across the coupler
 
   Kind kind = pose;

@@ -12,7 +12,7 @@ namespace linkwright::LINKWRIGHT_ISA::sampling {
 template <class R>
 struct Linkage {
   R input, coupler_square, output_square, of_coupler, of_output;  ///< the last two: inverse lengths
-  Vector<R> input_center, output_center, arm, driver;             ///< driver: by which the input's direction is turned
+  Vector<R> input_fixed, output_fixed, arm, driver;               ///< driver: by which the input's direction is turned
   Mask made;                                                      ///< its links have lengths
 };
 
@@ -33,8 +33,8 @@ LINKWRIGHT_INLINE Linkage<Real<Width>> linkage_at(const SamplingBlock& block, in
           output * output,
           1.0 / coupler,
           1.0 / output,
-          {with(block.input_center[0], 3), with(block.input_center[1], 4)},
-          {with(block.output_center[0], 5), with(block.output_center[1], 6)},
+          {with(block.input_fixed[0], 3), with(block.input_fixed[1], 4)},
+          {with(block.output_fixed[0], 5), with(block.output_fixed[1], 6)},
           {with(block.arm[0], 7), with(block.arm[1], 8)},
           driver,
           less<Width>(R{}, input) & less<Width>(R{}, coupler) & less<Width>(R{}, output)};
@@ -52,8 +52,8 @@ LINKWRIGHT_INLINE Position<Real<Width>> position_of(const Linkage<Real<Width>>& 
   Vector<R> input = {R{} + block.input_direction[j][0], R{} + block.input_direction[j][1]};
   if (block.driver_errs)
     input = {input.x * l.driver.x - input.y * l.driver.y, input.x * l.driver.y + input.y * l.driver.x};
-  const Vector<R> circle = {l.input_center.x + l.input * input.x, l.input_center.y + l.input * input.y};
-  const Vector<R> diagonal = {l.output_center.x - circle.x, l.output_center.y - circle.y};
+  const Vector<R> circle = {l.input_fixed.x + l.input * input.x, l.input_fixed.y + l.input * input.y};
+  const Vector<R> diagonal = {l.output_fixed.x - circle.x, l.output_fixed.y - circle.y};
   const R inverse = 1.0 / dot(diagonal, diagonal);
   // The coupler as shares of the diagonal, along it and to its left.
   const R along = 0.5 + 0.5 * (l.coupler_square - l.output_square) * inverse;

@@ -48,17 +48,17 @@ void realign(SensitivityMatrix& matrix, const PlanarOutput& output) {
 std::optional<PlanarSensitivity> sensitivity_of(const TracingFourBar& linkage) {
   const FourBar& bars = linkage.bars;
   const LinkLengths lengths = bars.lengths();
-  const Point input = (bars.input_circle - bars.input_center) / lengths.input;
-  const Point coupler = (bars.output_circle - bars.input_circle) / lengths.coupler;
-  const Point output = (bars.output_circle - bars.output_center) / lengths.output;
+  const Point input = (bars.input_moving - bars.input_fixed) / lengths.input;
+  const Point coupler = (bars.output_moving - bars.input_moving) / lengths.coupler;
+  const Point output = (bars.output_moving - bars.output_fixed) / lengths.output;
   const double sine = cross(coupler, output);  // ± that of the transmission angle
   if (!(std::abs(sine) >= tolerance::dead_point_sine)) return std::nullopt;
-  const Point driven = left_turn * (bars.input_circle - bars.input_center);
+  const Point driven = left_turn * (bars.input_moving - bars.input_fixed);
   const std::array<Point, planar_parameters> opens = {input, coupler,    -output, 1, left_turn,
                                                       -1,    -left_turn, 0,       0, driven};
   const std::array<Point, planar_parameters> carries = {input, 0, 0, 1, left_turn, 0, 0, coupler, left_turn * coupler,
                                                         driven};
-  const Point turns = left_turn * (linkage.point - bars.input_circle);
+  const Point turns = left_turn * (linkage.point - bars.input_moving);
   PlanarSensitivity by;
   for (std::size_t i = 0; i < planar_parameters; ++i) {
     by.coupler_angle[i] = -dot(opens[i], output) / (lengths.coupler * sine);

@@ -21,8 +21,8 @@ struct ToleranceErrorBlock {
   int positions = 0;
   double point[most_positions][2] = {};  ///< of poses, the body's origin
 
-  alignas(64) double input_center[2][size], output_center[2][size];
-  alignas(64) double input_circle[most_positions][2][size], output_circle[most_positions][2][size];
+  alignas(64) double input_fixed[2][size], output_fixed[2][size];
+  alignas(64) double input_moving[most_positions][2][size], output_moving[most_positions][2][size];
 
   alignas(64) double error[size];  ///< infinite at a dead point
 };

@@ -59,15 +59,15 @@ template <int Width>
 LINKWRIGHT_INLINE void error_lanes(ToleranceErrorBlock& block, int at) {
   using R = Real<Width>;
   const double turning_square = block.turning_length * block.turning_length;
-  const Vector<R> input_center = load_vector<Width>(block.input_center, at);
-  const Vector<R> output_center = load_vector<Width>(block.output_center, at);
+  const Vector<R> input_fixed = load_vector<Width>(block.input_fixed, at);
+  const Vector<R> output_fixed = load_vector<Width>(block.output_fixed, at);
   Squares<R> squares;
   R sum = R{};
   for (int j = 0; j < block.positions; ++j) {
-    const Vector<R> input_circle = load_vector<Width>(block.input_circle[j], at);
-    const Vector<R> output_circle = load_vector<Width>(block.output_circle[j], at);
-    const Vector<R> input = input_circle - input_center, output = output_circle - output_center;
-    const Vector<R> coupler = output_circle - input_circle;
+    const Vector<R> input_moving = load_vector<Width>(block.input_moving[j], at);
+    const Vector<R> output_moving = load_vector<Width>(block.output_moving[j], at);
+    const Vector<R> input = input_moving - input_fixed, output = output_moving - output_fixed;
+    const Vector<R> coupler = output_moving - input_moving;
     if (j == 0)
       squares = {dot(input, input), 1.0 / dot(input, input), dot(coupler, coupler), 1.0 / dot(coupler, coupler),
                  dot(output, output)};
@@ -75,7 +75,7 @@ LINKWRIGHT_INLINE void error_lanes(ToleranceErrorBlock& block, int at) {
       sum = sum + angle_variance<Width>(block.variances, input, coupler, output, squares);
       continue;
     }
-    const Vector<R> arm = {block.point[j][0] - input_circle.x, block.point[j][1] - input_circle.y};
+    const Vector<R> arm = {block.point[j][0] - input_moving.x, block.point[j][1] - input_moving.y};
     sum = sum + variance<Width>(block.variances, turning_square, input, coupler, output, arm, squares);
   }
   const double of_point = block.kind == ToleranceErrorBlock::pose ? 2 * block.variances.point : 0;

@@ -12,7 +12,7 @@ namespace linkwright {
 LineDesign line_design(const TracingFourBar& linkage, double scale) {
   const FourBar& bars = linkage.bars;
   double farthest = 0;
-  for (const Point p : {bars.input_center, bars.input_circle, bars.output_center, bars.output_circle}) {
+  for (const Point p : {bars.input_fixed, bars.input_moving, bars.output_fixed, bars.output_moving}) {
     const Point away = p - linkage.point;
     const double square = std::norm(away);
     if (!std::isnan(square))
@@ -25,9 +25,9 @@ LineDesign line_design(const TracingFourBar& linkage, double scale) {
   constexpr double sliding = tolerance::sliding_pivot, vanishing = tolerance::vanishing_link;
   if (!(farthest * sliding * sliding <= scale * scale)) return {DesignKind::slider, {}};
   double shortest = std::numeric_limits<double>::infinity(), longest = 0;
-  for (const Point link : {bars.output_center - bars.input_center, bars.input_circle - bars.input_center,
-                           bars.output_circle - bars.input_circle, bars.output_circle - bars.output_center,
-                           linkage.point - bars.input_circle, linkage.point - bars.output_circle}) {
+  for (const Point link : {bars.output_fixed - bars.input_fixed, bars.input_moving - bars.input_fixed,
+                           bars.output_moving - bars.input_moving, bars.output_moving - bars.output_fixed,
+                           linkage.point - bars.input_moving, linkage.point - bars.output_moving}) {
     shortest = std::min(shortest, std::norm(link));
     longest = std::max(longest, std::norm(link));
   }

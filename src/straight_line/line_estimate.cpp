@@ -307,10 +307,10 @@ void fill(LineTraceBlock& block, std::size_t lane, const TracingFourBar& linkage
     numbers[0][lane] = p.real();
     numbers[1][lane] = p.imag();
   };
-  put(block.input_center, linkage.bars.input_center);
-  put(block.input_circle, linkage.bars.input_circle);
-  put(block.output_center, linkage.bars.output_center);
-  put(block.output_circle, linkage.bars.output_circle);
+  put(block.input_fixed, linkage.bars.input_fixed);
+  put(block.input_moving, linkage.bars.input_moving);
+  put(block.output_fixed, linkage.bars.output_fixed);
+  put(block.output_moving, linkage.bars.output_moving);
   put(block.point, linkage.point);
   block.deviation[lane] = deviation;
 }

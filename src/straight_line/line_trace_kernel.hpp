@@ -20,8 +20,8 @@ struct LineTraceBlock {
   double growth = 1.1;           ///< of a step over the one before
   int tries = 1;                 ///< of each step, shorter and shorter
 
-  alignas(64) double input_center[2][size], input_circle[2][size], output_center[2][size],
-      output_circle[2][size], point[2][size];
+  alignas(64) double input_fixed[2][size], input_moving[2][size], output_fixed[2][size],
+      output_moving[2][size], point[2][size];
   double deviation[size];  ///< δ; the path is traced to 2 δ
 
   double coefficient[size];  ///< of s^contact

@@ -35,8 +35,8 @@ LINKWRIGHT_INLINE Linkage<Real<Width>> linkage_in(const LineTraceBlock& block, i
   const auto at = [&](const double(&numbers)[2][LineTraceBlock::size]) {
     return Vector<R>{load<Width>(numbers[0] + lane), load<Width>(numbers[1] + lane)};
   };
-  const Vector<R> a0 = at(block.input_center), a = at(block.input_circle), b0 = at(block.output_center),
-                  b = at(block.output_circle);
+  const Vector<R> a0 = at(block.input_fixed), a = at(block.input_moving), b0 = at(block.output_fixed),
+                  b = at(block.output_moving);
   const Vector<R> coupler = b - a, output = b0 - b, arm = at(block.point) - a;
   const R square = dot(coupler, coupler);
   return {{{a - a0, coupler, output}},

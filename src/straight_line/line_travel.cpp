@@ -19,7 +19,7 @@ const straight_cases::MixedContacts* contacts_of(const StraightLineFamily& famil
 }
 
 PrescribedPose coupler_pose(const TracingFourBar& linkage) {
-  return {{linkage.point, std::arg(linkage.bars.output_circle - linkage.bars.input_circle)}, {}};
+  return {{linkage.point, std::arg(linkage.bars.output_moving - linkage.bars.input_moving)}, {}};
 }
 
 /// Of the coupler, and in which of them the linkage lies.
@@ -41,8 +41,8 @@ LinePoses poses_of(const StraightLineFamily& family, const StraightLineSolution&
 }
 
 FourBar carried(const FourBar& bars, const Pose& from, const Pose& to) {
-  return {bars.input_center, displaced(bars.input_circle, from, to), bars.output_center,
-          displaced(bars.output_circle, from, to)};
+  return {bars.input_fixed, displaced(bars.input_moving, from, to), bars.output_fixed,
+          displaced(bars.output_moving, from, to)};
 }
 
 PoseVisits visits_of(const StraightLineSolution& found, const LinePoses& of_line) {
@@ -65,7 +65,7 @@ PathLimits profile_limits(const StraightLineFamily& family, const StraightLineSo
   return limits;
 }
 
-double input_angle(const FourBar& bars) { return std::arg(bars.input_circle - bars.input_center); }
+double input_angle(const FourBar& bars) { return std::arg(bars.input_moving - bars.input_fixed); }
 
 /// By state the input's turn as the drive counts it, without jumps. `first`: how far along the line position 1 is.
 std::vector<double> turns_along(const std::vector<StraightPath::State>& states, const PoseVisits& visits,

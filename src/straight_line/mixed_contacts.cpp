@@ -182,8 +182,8 @@ std::array<LineDesign, 2> mixed_designs(const DirectedLine& line, Point input_pi
 
 std::vector<PrescribedPose> contact_poses(const TracingFourBar& linkage, const DirectedLine& line,
                                           std::span<const PlacedContact> contacts) {
-  const Point pivot = linkage.bars.input_center, start = std::conj(line.direction) * (line.point - pivot);
-  const double crank = linkage.bars.lengths().input, arm = std::abs(linkage.point - linkage.bars.input_circle);
+  const Point pivot = linkage.bars.input_fixed, start = std::conj(line.direction) * (line.point - pivot);
+  const double crank = linkage.bars.lengths().input, arm = std::abs(linkage.point - linkage.bars.input_moving);
   std::vector<PrescribedPose> poses;
   for (const PlacedContact& contact : contacts) {
     const Point point = start + contact.s;

@@ -126,7 +126,7 @@ TracingFourBar at_its_place(const Wish& wish, const TracingFourBar& unit, double
   const double scale = wish.stroke() / strip;
   const auto there = [&](Point p) { return wish.line().to_fixed(scale * (p - middle)); };
   const FourBar& bars = unit.bars;
-  return {{there(bars.input_center), there(bars.input_circle), there(bars.output_center), there(bars.output_circle)},
+  return {{there(bars.input_fixed), there(bars.input_moving), there(bars.output_fixed), there(bars.output_moving)},
           there(unit.point)};
 }
 

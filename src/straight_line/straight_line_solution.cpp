@@ -16,14 +16,14 @@ bool assembles_alike(const TracingFourBar& start, const StraightPath& path) {
   constexpr int places = 17;
   constexpr double alike = 1e-7;  // next to a dead point the input's rounding shows as its root
   const LinkLengths lengths = start.bars.lengths();
-  const Point arm = (start.point - start.bars.input_circle) / (start.bars.output_circle - start.bars.input_circle);
+  const Point arm = (start.point - start.bars.input_moving) / (start.bars.output_moving - start.bars.input_moving);
   const auto states = path.states(places);
   return std::all_of(states.begin(), states.end(), [&](const StraightPath::State& state) {
     const auto found =
         assemble(lengths, configuration_of(state.linkage.bars).input_angle, assembly_of(state.linkage.bars));
     if (!found) return false;
     const FourBar bars = placed(start.bars, *found);
-    const Point point = bars.input_circle + arm * (bars.output_circle - bars.input_circle);
+    const Point point = bars.input_moving + arm * (bars.output_moving - bars.input_moving);
     return std::abs(point - state.linkage.point) <= alike * start.longest();
   });
 }

@@ -45,23 +45,23 @@ struct Turns {
 TracingFourBar turned(const TracingFourBar& from, const Turns& turns) {
   const FourBar& bars = from.bars;
   const Point coupler = direction(turns.coupler);
-  const Point input = bars.input_center + direction(turns.input) * (bars.input_circle - bars.input_center);
-  return {{bars.input_center, input, bars.output_center,
-           bars.output_center + direction(turns.output) * (bars.output_circle - bars.output_center)},
-          input + coupler * (from.point - bars.input_circle)};
+  const Point input = bars.input_fixed + direction(turns.input) * (bars.input_moving - bars.input_fixed);
+  return {{bars.input_fixed, input, bars.output_fixed,
+           bars.output_fixed + direction(turns.output) * (bars.output_moving - bars.output_fixed)},
+          input + coupler * (from.point - bars.input_moving)};
 }
 
 // The nearest turns that close the loop, by Newton's method with the shortest corrections; nothing where it does not
 // settle.
 std::optional<Turns> closed(const TracingFourBar& from, Turns turns) {
-  const Point coupler_link = from.bars.output_circle - from.bars.input_circle;
+  const Point coupler_link = from.bars.output_moving - from.bars.input_moving;
   const double size = from.bars.lengths().perimeter();
   double left = std::numeric_limits<double>::infinity();
   for (int turn = 0; turn < 8; ++turn) {
     const FourBar now = turned(from, turns).bars;
-    const Point input = now.input_circle - now.input_center, coupler = direction(turns.coupler) * coupler_link,
-                output = now.output_circle - now.output_center;
-    const Point gap = (now.input_circle + coupler - now.output_circle) / size;
+    const Point input = now.input_moving - now.input_fixed, coupler = direction(turns.coupler) * coupler_link,
+                output = now.output_moving - now.output_fixed;
+    const Point gap = (now.input_moving + coupler - now.output_moving) / size;
     if (std::abs(gap) <= 2 * tolerance::loop_rounding || (std::abs(gap) <= tolerance::closed && std::abs(gap) >= left))
       return turns;
     if (!(std::abs(gap) < left)) return std::nullopt;
@@ -97,7 +97,7 @@ std::optional<double> first_change(std::span<const double> coefficients, double 
 double acute(double angle) { return std::min(angle, pi - angle); }
 
 double transmission_angle_of(const FourBar& bars) {
-  const Point coupler = bars.input_circle - bars.output_circle, output = bars.output_center - bars.output_circle;
+  const Point coupler = bars.input_moving - bars.output_moving, output = bars.output_fixed - bars.output_moving;
   return acute(std::atan2(std::abs(cross(coupler, output)), dot(coupler, output)));
 }
 
@@ -422,9 +422,9 @@ std::optional<StrokeFigures> StraightPath::stroke_figures(double from, double to
     const Stretch& stretch = stretches_[i];
     const double begin = i == first.stretch ? first.t : stretch.from, end = i == last.stretch ? last.t : stretch.to;
     // The transmission angle has its extremes where the diagonal from the output's centre has.
-    const Point arm = start_.bars.input_circle - start_.bars.input_center;
+    const Point arm = start_.bars.input_moving - start_.bars.input_fixed;
     ComplexSeries<motion_order> diagonal = arm * rotation(stretch.loop.input);
-    diagonal.c[0] += start_.bars.input_center - start_.bars.output_center;
+    diagonal.c[0] += start_.bars.input_fixed - start_.bars.output_fixed;
     Series square;
     for (std::size_t k = 0; k <= motion_order; ++k)
       for (std::size_t j = 0; j <= k; ++j) square.c[k] += dot(diagonal.c[j], diagonal.c[k - j]);

@@ -94,7 +94,7 @@ TEST(DxfDrawing, PinsLieAtThePivots) {
   }
   const FourBar& bars = linkage.four_bar;
   EXPECT_EQ(centers.size(), 8u);
-  for (const Point pivot : {bars.input_center, bars.input_circle, bars.output_center, bars.output_circle}) {
+  for (const Point pivot : {bars.input_fixed, bars.input_moving, bars.output_fixed, bars.output_moving}) {
     EXPECT_GE(std::count(centers.begin(), centers.end(), pivot), 2);
   }
 }

@@ -48,7 +48,7 @@ TEST(AnalysisFile, LooksAtAnInstantWhereTheInputCanBe) {
   const auto linkage = of_lengths(R"({"lengths": {"ground": 4, "input": 5, "coupler": 3, "output": 3}})");
   const auto as_it_lies = instant_of(linkage, {});
   ASSERT_TRUE(as_it_lies.ok());
-  EXPECT_EQ(as_it_lies->four_bar.input_circle, linkage.four_bar.input_circle);
+  EXPECT_EQ(as_it_lies->four_bar.input_moving, linkage.four_bar.input_moving);
   const auto refused = instant_of(linkage, {{}, radians(180), 0});
   ASSERT_FALSE(refused.ok());
   EXPECT_EQ(refused.errors().front().place, "input_deg");

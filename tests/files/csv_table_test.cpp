@@ -48,18 +48,18 @@ double number(const std::string& cell) { return std::strtod(cell.c_str(), nullpt
 TEST(CsvTable, SaysAgainstWhatEachAngleIsMeasured) {
   // As it lies, the ground link points 40 degrees up.
   const Point turn = std::polar(1.0, radians(40));
-  const FourBar turned{crank_rocker.input_center * turn, crank_rocker.input_circle * turn,
-                       crank_rocker.output_center * turn, crank_rocker.output_circle * turn};
+  const FourBar turned{crank_rocker.input_fixed * turn, crank_rocker.input_moving * turn,
+                       crank_rocker.output_fixed * turn, crank_rocker.output_moving * turn};
   auto columns = columns_of(stored(turned));
   EXPECT_EQ(columns.size(), 19u);
   const auto direction_of = [](Point from, Point to) { return degrees(std::arg(to - from)); };
   EXPECT_EQ(columns["driver_turn_from_position_1_deg"].front(), "0");
-  EXPECT_NEAR(number(columns["input_angle_from_x_deg"].front()), direction_of(turned.input_center, turned.input_circle),
+  EXPECT_NEAR(number(columns["input_angle_from_x_deg"].front()), direction_of(turned.input_fixed, turned.input_moving),
               1e-12);
   EXPECT_NEAR(number(columns["coupler_angle_from_x_deg"].front()),
-              direction_of(turned.input_circle, turned.output_circle), 1e-12);
+              direction_of(turned.input_moving, turned.output_moving), 1e-12);
   EXPECT_NEAR(number(columns["output_angle_from_x_deg"].front()),
-              direction_of(turned.output_center, turned.output_circle), 1e-12);
+              direction_of(turned.output_fixed, turned.output_moving), 1e-12);
 }
 
 TEST(CsvTable, OfACrankHasARowADegree) {
@@ -124,7 +124,7 @@ TEST(CsvTable, OfALinkageWithAPointTellsWhereThatIs) {
 TEST(CsvTable, TracesItsPointOrTheMovingFramesOrigin) {
   StoredLinkage linkage;
   linkage.four_bar = crank_rocker;
-  EXPECT_EQ(traced_point(linkage), crank_rocker.input_circle);
+  EXPECT_EQ(traced_point(linkage), crank_rocker.input_moving);
   linkage.poses.push_back({{{7, 8}, 0}, {}});
   EXPECT_EQ(traced_point(linkage), Point(7, 8));
   linkage.point = Point{1, 9};

@@ -20,8 +20,8 @@ TEST(LinkageFile, ReadsPivots) {
   const auto linkage = read_linkage(R"({"length_unit": "mm", "pivots": {"input_center": [0, 0], "input_circle": [0, 2],
     "output_center": [4, 0], "output_circle": [3, 3.5]}})");
   ASSERT_TRUE(linkage.ok());
-  EXPECT_EQ(linkage->four_bar.input_circle, Point(0, 2));
-  EXPECT_EQ(linkage->four_bar.output_circle, Point(3, 3.5));
+  EXPECT_EQ(linkage->four_bar.input_moving, Point(0, 2));
+  EXPECT_EQ(linkage->four_bar.output_moving, Point(3, 3.5));
   EXPECT_EQ(linkage->length_unit, "mm");
   EXPECT_TRUE(linkage->poses.empty());
 }
@@ -89,10 +89,10 @@ TEST(LinkageFile, WrittenLinkageReadsBackBitIdentical) {
   linkage.poses = motion(testing::tailgate()).poses;
   const auto read = read_linkage(write_linkage(linkage));
   ASSERT_TRUE(read.ok());
-  EXPECT_EQ(read->four_bar.input_center, linkage.four_bar.input_center);
-  EXPECT_EQ(read->four_bar.input_circle, linkage.four_bar.input_circle);
-  EXPECT_EQ(read->four_bar.output_center, linkage.four_bar.output_center);
-  EXPECT_EQ(read->four_bar.output_circle, linkage.four_bar.output_circle);
+  EXPECT_EQ(read->four_bar.input_fixed, linkage.four_bar.input_fixed);
+  EXPECT_EQ(read->four_bar.input_moving, linkage.four_bar.input_moving);
+  EXPECT_EQ(read->four_bar.output_fixed, linkage.four_bar.output_fixed);
+  EXPECT_EQ(read->four_bar.output_moving, linkage.four_bar.output_moving);
   EXPECT_EQ(read->title, linkage.title);
   ASSERT_EQ(read->poses.size(), 4u);
   EXPECT_EQ(read->poses[1].pose.angle, linkage.poses[1].pose.angle);
@@ -123,7 +123,7 @@ TEST(LinkageFile, OfEveryKindReadsBackWithItsPoses) {
     ASSERT_TRUE(read.ok());
     EXPECT_EQ(write_linkage(*read), text);
     EXPECT_EQ(read->poses.size(), linkages.value().front().poses.size());
-    EXPECT_EQ(read->four_bar.output_circle, linkages.value().front().four_bar.output_circle);
+    EXPECT_EQ(read->four_bar.output_moving, linkages.value().front().four_bar.output_moving);
   }
 }
 

@@ -62,7 +62,7 @@ TEST(PositionError, OfAPoseOnAnotherCircuitIsNone) {
   const Configuration start = configuration_of(linkage.four_bar);
   const auto other = assemble(lengths, start.input_angle + 0.4, Assembly::negative);
   linkage.poses = {{{{0, 2}, 0}, {}},
-                   {{placed(linkage.four_bar, *other).input_circle, other->coupler_angle - start.coupler_angle}, {}}};
+                   {{placed(linkage.four_bar, *other).input_moving, other->coupler_angle - start.coupler_angle}, {}}};
   const auto errors = position_errors(linkage);
   ASSERT_EQ(errors.size(), 1u);
   EXPECT_FALSE(errors[0].error);

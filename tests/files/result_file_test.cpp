@@ -223,8 +223,8 @@ TEST(ResultFile, LinkagesReadBackBitIdentical) {
     EXPECT_EQ(linkage.length_unit, "mm");
     ASSERT_EQ(linkage.poses.size(), 4u);
     EXPECT_EQ(linkage.poses[2].pose.angle, motion(tailgate()).poses[2].pose.angle);
-    EXPECT_LT(std::abs(linkage.four_bar.input_center - wanted.input_center), 1e-9);
-    EXPECT_LT(std::abs(linkage.four_bar.output_circle - wanted.output_circle), 1e-9);
+    EXPECT_LT(std::abs(linkage.four_bar.input_fixed - wanted.input_fixed), 1e-9);
+    EXPECT_LT(std::abs(linkage.four_bar.output_moving - wanted.output_moving), 1e-9);
   }
 }
 

@@ -98,7 +98,7 @@ TEST(FunctionError, TheWorstIsThatOfADenseSearch) {
       ASSERT_TRUE(error.max_structural_error);
       // Brute force shares nothing but the joint equation: |B − A| = h by bisection on the output angle is replaced by
       // the closed form of the law of cosines with atan2.
-      const Point a0 = bars.input_circle, b0 = bars.output_circle - 1.0;
+      const Point a0 = bars.input_moving, b0 = bars.output_moving - 1.0;
       const double h = bars.lengths().coupler, b = bars.lengths().output;
       double brute = 0, brute_at = 0, last = 0;
       for (int i = 0; i <= 20'000; ++i) {
@@ -264,7 +264,7 @@ TEST(FunctionError, PublishedThreePairsFromTheOtherDatum) {
     const auto working = [&](Point p) {
       return normalized(given.conditions.frame.to_working(Homogeneous::of(p / ground)));
     };
-    EXPECT_LT(curve.residual({working(bars.output_circle), working(bars.input_circle), 0}), 1e-5);
+    EXPECT_LT(curve.residual({working(bars.output_moving), working(bars.input_moving), 0}), 1e-5);
   }
 }
 

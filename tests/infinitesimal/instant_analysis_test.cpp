@@ -43,8 +43,8 @@ TEST(InstantAnalysis, TellsWhatAPointTraces) {
     ++seen;
   }
   EXPECT_GT(seen, 15);
-  const auto pivot = analyze_instant(some, {.point = some.output_circle, .input_acceleration = 0});
-  EXPECT_NEAR(std::abs(*finite_point(*pivot.point->center) - some.output_center), 0, 1e-12);
+  const auto pivot = analyze_instant(some, {.point = some.output_moving, .input_acceleration = 0});
+  EXPECT_NEAR(std::abs(*finite_point(*pivot.point->center) - some.output_fixed), 0, 1e-12);
   EXPECT_EQ(pivot.point->contact_points, 2);
   const Point pole = std::get<TurningInstant>(*pivot.instant).pole;
   const auto cusp = analyze_instant(some, {.point = pole, .input_acceleration = 0});
@@ -80,9 +80,9 @@ TEST(InstantAnalysis, TurnsTheInputAndCarriesThePoint) {
   const auto same = with_input_at(linkage, angle), turned = with_input_at(linkage, angle + 0.2);
   ASSERT_TRUE(same && turned);
   EXPECT_NEAR(std::abs(same->point - linkage.point), 0, 1e-13);
-  for (const auto arm : {&FourBar::input_circle, &FourBar::output_circle})
+  for (const auto arm : {&FourBar::input_moving, &FourBar::output_moving})
     EXPECT_NEAR(std::abs(turned->point - turned->bars.*arm), std::abs(linkage.point - some.*arm), 1e-13);
-  EXPECT_EQ(turned->bars.input_center, some.input_center);
+  EXPECT_EQ(turned->bars.input_fixed, some.input_fixed);
   EXPECT_EQ(assembly_of(turned->bars), assembly_of(some));
   EXPECT_FALSE(with_input_at({{{0, 0}, {0, 5}, {4, 0}, {4, 3}}, {}}, 3.1));
 }

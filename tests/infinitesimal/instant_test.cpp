@@ -49,9 +49,9 @@ TEST(Instant, IsThatOfTheCases) {
 TEST(Instant, SideLinksAreThePathsCurvatures) {
   const FourBar bars{{0, 0}, {1, 1.2}, {4, 0.3}, {3.5, 3}};
   const MotionSeries motion = motion_of(bars);
-  const auto center = finite_point(*center_of_curvature(motion, bars.output_circle));
+  const auto center = finite_point(*center_of_curvature(motion, bars.output_moving));
   ASSERT_TRUE(center);
-  EXPECT_NEAR(std::abs(*center - bars.output_center), 0, 1e-13);
+  EXPECT_NEAR(std::abs(*center - bars.output_fixed), 0, 1e-13);
   const auto instant = std::get<TurningInstant>(*instant_of(motion));
   EXPECT_TRUE(is_at_infinity(normalized(*center_of_curvature(motion, instant.inflection_pole()))));
   EXPECT_FALSE(center_of_curvature(motion_of({{0, 0}, {1, 1}, {4, 0}, {3, 1}}), {2, 2}));

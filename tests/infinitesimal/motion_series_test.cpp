@@ -18,10 +18,10 @@ TEST(MotionSeries, LinksKeepTheirLengthsAlongTheSeries) {
     ASSERT_TRUE(loop);
     const MotionSeries motion = coupler_motion(bars, *loop);
     for (const double t : {-0.02, 0.01, 0.02}) {
-      const Point input = motion.path_of(bars.input_circle)(t), output = motion.path_of(bars.output_circle)(t);
-      EXPECT_NEAR(std::abs(input - bars.input_center), bars.lengths().input, 1e-11);
+      const Point input = motion.path_of(bars.input_moving)(t), output = motion.path_of(bars.output_moving)(t);
+      EXPECT_NEAR(std::abs(input - bars.input_fixed), bars.lengths().input, 1e-11);
       EXPECT_NEAR(std::abs(output - input), bars.lengths().coupler, 1e-11);
-      EXPECT_NEAR(std::abs(output - bars.output_center), bars.lengths().output, 1e-11);
+      EXPECT_NEAR(std::abs(output - bars.output_fixed), bars.lengths().output, 1e-11);
     }
   }
 }

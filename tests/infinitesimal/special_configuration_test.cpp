@@ -25,7 +25,7 @@ class SpecialConfigurations : public ::testing::Test {
  protected:
   static FourBar aslant(const FourBar& bars) {
     const auto moved = [](Point p) { return Point{3, -2} + 1.7 * direction(0.6) * p; };
-    return {moved(bars.input_center), moved(bars.input_circle), moved(bars.output_center), moved(bars.output_circle)};
+    return {moved(bars.input_fixed), moved(bars.input_moving), moved(bars.output_fixed), moved(bars.output_moving)};
   }
 };
 
@@ -37,8 +37,8 @@ TEST_F(SpecialConfigurations, ASideLinkOnTheFrameLineHasThePoleAtTheOtherFixedPi
   const FourBar bars = aslant({{0, 0}, {1, 0}, {4, 0}, {3, 2}});
   EXPECT_EQ(codes_of(bars), Codes{"side_link_on_frame_line"});
   const TurningInstant instant = instant_at(bars);
-  EXPECT_NEAR(std::abs(instant.pole - bars.output_center), 0, 1e-12);
-  EXPECT_NEAR(instant.to_canonical(bars.output_circle).imag(), 0, 1e-12);
+  EXPECT_NEAR(std::abs(instant.pole - bars.output_fixed), 0, 1e-12);
+  EXPECT_NEAR(instant.to_canonical(bars.output_moving).imag(), 0, 1e-12);
   EXPECT_NEAR(instant.m() * instant.diameter, 0, 1e-12);
   EXPECT_EQ(circling_point_curve(instant).pieces.size(), 2U);
   EXPECT_EQ(special_configurations(bars.swapped()).at(0).values.at(0).value,
@@ -49,8 +49,8 @@ TEST_F(SpecialConfigurations, ACrankInLineWithTheCouplerHasThePoleAtTheOtherMovi
   const FourBar bars = aslant({{0, 0}, {1, 0.5}, {4, -1}, {3, 1.5}});
   EXPECT_EQ(codes_of(bars), Codes{"side_link_in_line_with_coupler"});
   const TurningInstant instant = instant_at(bars);
-  EXPECT_NEAR(std::abs(instant.pole - bars.output_circle), 0, 1e-12);
-  EXPECT_NEAR(instant.to_canonical(bars.output_center).imag(), 0, 1e-12);
+  EXPECT_NEAR(std::abs(instant.pole - bars.output_moving), 0, 1e-12);
+  EXPECT_NEAR(instant.to_canonical(bars.output_fixed).imag(), 0, 1e-12);
   EXPECT_EQ(centering_point_curve(instant).pieces.size(), 2U);
 }
 

@@ -23,10 +23,10 @@ TEST(StationaryCurvature, PairsHaveFourPointContactAndPivotsAreAmongThem) {
     ASSERT_TRUE(moving && center);
     EXPECT_GE(testing::contact_with_circle(motion, *moving, *center), 4) << angle;
   }
-  const Point local = instant.to_canonical(some.input_circle);
+  const Point local = instant.to_canonical(some.input_moving);
   const CurvaturePair pair = stationary_pair(instant, std::arg(local));
-  EXPECT_NEAR(std::abs(*finite_point(pair.moving) - some.input_circle), 0, 1e-12);
-  EXPECT_NEAR(std::abs(*finite_point(pair.center) - some.input_center), 0, 1e-11);
+  EXPECT_NEAR(std::abs(*finite_point(pair.moving) - some.input_moving), 0, 1e-12);
+  EXPECT_NEAR(std::abs(*finite_point(pair.center) - some.input_fixed), 0, 1e-11);
 }
 
 TEST(StationaryCurvature, ConjugateCentersAreThoseOfThePaths) {
@@ -59,7 +59,7 @@ TEST(StationaryCurvature, BallsPointIsThatOfTheCases) {
 TEST(StationaryCurvature, ACrankInLineWithItsCouplerHasBallsPointAtThePole) {
   const FourBar bars{{0, 0}, {1, 0}, {2.5, -1.5}, {3, 0}};
   const TurningInstant instant = instant_at(bars);
-  EXPECT_NEAR(std::abs(instant.pole - bars.output_circle), 0, 1e-13);
+  EXPECT_NEAR(std::abs(instant.pole - bars.output_moving), 0, 1e-13);
   EXPECT_NEAR(instant.a3, 0, 1e-12);
   const auto ball = ball_point(instant);
   ASSERT_TRUE(ball);
@@ -76,7 +76,7 @@ TEST(StationaryCurvature, BurmesterPointsHaveFivePointContactAndHoldThePivots) {
     const TurningInstant instant = instant_at(bars);
     const auto points = burmester_points_at(instant);
     EXPECT_LE(points.size(), 4U);
-    for (const Point pivot : {bars.input_circle, bars.output_circle}) {
+    for (const Point pivot : {bars.input_moving, bars.output_moving}) {
       double nearest = 1e9;
       for (const CurvaturePair& pair : points)
         if (const auto moving = finite_point(pair.moving)) nearest = std::min(nearest, std::abs(*moving - pivot));

@@ -60,9 +60,9 @@ TEST(StationaryCurve, PassesThroughThePivots) {
     const Point local = std::conj(instant.velocity) * (p - hyperbola.center);
     return local.real() * local.imag() - hyperbola.product;
   };
-  for (const Point pivot : {bars.input_circle, bars.output_circle})
+  for (const Point pivot : {bars.input_moving, bars.output_moving})
     EXPECT_NEAR(product_at(*instant.circling_points, pivot), 0, 1e-12);
-  for (const Point pivot : {bars.input_center, bars.output_center})
+  for (const Point pivot : {bars.input_fixed, bars.output_fixed})
     EXPECT_NEAR(product_at(*instant.centering_points(), pivot), 0, 1e-12);
 }
 

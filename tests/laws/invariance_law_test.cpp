@@ -55,8 +55,8 @@ TEST(InvarianceLaw, RigidMotionAndScaleLeaveTheMapAndMoveTheLinkages) {
       EXPECT_NEAR(a.report.min_transmission_angle, b.report.min_transmission_angle, 1e-6);
       EXPECT_NEAR(b.lengths.ground / (scale * a.lengths.ground), 1, 1e-3);
       EXPECT_NEAR(
-          std::abs(b.four_bar.input_center - (scale * direction(angle) * a.four_bar.input_center + shift)) / scale, 0,
-          1e-3 * (1 + std::abs(a.four_bar.input_center)));
+          std::abs(b.four_bar.input_fixed - (scale * direction(angle) * a.four_bar.input_fixed + shift)) / scale, 0,
+          1e-3 * (1 + std::abs(a.four_bar.input_fixed)));
     }
   }
 }
@@ -120,8 +120,8 @@ TEST(InvarianceLaw, VisitingThePosesBackwardsTurnsTheDriveRound) {
     for (const FourBarSolution& linkage : forwards.linkages) {
       const FourBar& f = linkage.four_bar;
       const Pose &first = poses.back().pose, &last = poses.front().pose;
-      const FourBar from_last{f.input_center, displaced(f.input_circle, first, last), f.output_center,
-                              displaced(f.output_circle, first, last)};
+      const FourBar from_last{f.input_fixed, displaced(f.input_moving, first, last), f.output_fixed,
+                              displaced(f.output_moving, first, last)};
       const DefectReport report = find_defects(from_last, poses);
       EXPECT_EQ(report.type, linkage.report.type);
       EXPECT_EQ(report.defects, linkage.report.defects);

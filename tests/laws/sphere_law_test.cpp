@@ -40,8 +40,8 @@ std::vector<PrescribedOrientation> on_sphere(const std::vector<PrescribedPose>& 
 }
 
 SphericalFourBar on_sphere(const FourBar& bars) {
-  return {on_sphere(bars.input_center), on_sphere(bars.input_circle), on_sphere(bars.output_circle),
-          on_sphere(bars.output_center)};
+  return {on_sphere(bars.input_fixed), on_sphere(bars.input_moving), on_sphere(bars.output_moving),
+          on_sphere(bars.output_fixed)};
 }
 
 /// Random four-bars of random tasks with pivots within 20 units.
@@ -60,8 +60,8 @@ void for_each_pair(int tasks, const Visit& visit) {
       const auto bars = links ? four_bar_of(*links) : std::nullopt;
       if (!bars || bars->lengths().longest() > 5) continue;
       const WorkingFrame& frame = conditions.frame;
-      visit(poses, FourBar{frame.to_user(bars->input_center), frame.to_user(bars->input_circle),
-                           frame.to_user(bars->output_center), frame.to_user(bars->output_circle)});
+      visit(poses, FourBar{frame.to_user(bars->input_fixed), frame.to_user(bars->input_moving),
+                           frame.to_user(bars->output_fixed), frame.to_user(bars->output_moving)});
     }
   }
 }
@@ -76,14 +76,14 @@ TEST(SphereLaw, DyadsOfASmallTaskAreThePlanes) {
   int seen = 0, far = 0;
   for_each_pair(testing::draws(60), [&](const auto& poses, const FourBar& bars) {
     const AxisCurve curve(orientation_conditions(on_sphere(poses)));
-    const auto at = curve.coordinate_of(on_sphere(bars.input_circle));
+    const auto at = curve.coordinate_of(on_sphere(bars.input_moving));
     ASSERT_TRUE(at);
     const SphericalDyad dyad = curve.dyad(*at);
-    const double size = 1 + std::abs(bars.input_circle) + std::abs(bars.input_center);
+    const double size = 1 + std::abs(bars.input_moving) + std::abs(bars.input_fixed);
     ++seen;
     // Near a double point of the curve a dyad runs far for a small step.
-    far += testing::off_line(dyad.moving_axis, on_sphere(bars.input_circle)) > 2e-2 * unit * size ||
-           testing::off_line(dyad.fixed_axis, on_sphere(bars.input_center)) > 2e-1 * unit * size;
+    far += testing::off_line(dyad.moving_axis, on_sphere(bars.input_moving)) > 2e-2 * unit * size ||
+           testing::off_line(dyad.fixed_axis, on_sphere(bars.input_fixed)) > 2e-1 * unit * size;
   });
   EXPECT_GT(seen, 20);
   EXPECT_LE(far, seen / 10);
@@ -103,7 +103,7 @@ TEST(SphereLaw, VerdictsOfASmallLinkageAreThePlanes) {
       double nearest = pi;  // to a dead point, in some pose
       for (const PrescribedPose& pose : poses) {
         const auto at = [&](Point p) { return displaced(p, poses.front().pose, pose.pose); };
-        const FourBar moved{bars.input_center, at(bars.input_circle), bars.output_center, at(bars.output_circle)};
+        const FourBar moved{bars.input_fixed, at(bars.input_moving), bars.output_fixed, at(bars.output_moving)};
         for (const FourBar& side : {moved, moved.swapped()})
           nearest = std::min(nearest, transmission_angle(on_sphere(side)));
       }

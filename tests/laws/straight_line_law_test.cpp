@@ -117,7 +117,7 @@ std::optional<StraightLineSolution> nearest_at(const StraightLineFamily& family,
                                                Point output) {
   std::optional<StraightLineSolution> nearest;
   const auto distance = [&](const StraightLineSolution& found) {
-    return std::abs(found.linkage.bars.input_circle - input) + std::abs(found.linkage.bars.output_circle - output);
+    return std::abs(found.linkage.bars.input_moving - input) + std::abs(found.linkage.bars.output_moving - output);
   };
   for (place.layer = 0; place.layer < family.layers(); ++place.layer) {
     const auto point = family.point_of(place);
@@ -137,14 +137,13 @@ TEST(StraightLineLaw, RigidMotionAndScaleMoveTheLinkageAndKeepItsMeasures) {
       const Similarity by{scale, uniform(random, -pi, pi),
                           scale * Point{uniform(random, -50, 50), uniform(random, -50, 50)}};
       const StraightLineFamily there(moved(family->task(), by), {1e-3 * scale, std::nullopt, LineMeasure::strip});
-      const auto after = nearest_at(there, moved(place, *family, by), by(before.linkage.bars.input_circle),
-                                    by(before.linkage.bars.output_circle));
+      const auto after = nearest_at(there, moved(place, *family, by), by(before.linkage.bars.input_moving),
+                                    by(before.linkage.bars.output_moving));
       ASSERT_TRUE(after);
       const double size = before.linkage.longest();
-      EXPECT_LT(std::abs(after->linkage.bars.output_circle - by(before.linkage.bars.output_circle)),
+      EXPECT_LT(std::abs(after->linkage.bars.output_moving - by(before.linkage.bars.output_moving)),
                 1e-8 * scale * size);
-      EXPECT_LT(std::abs(after->linkage.bars.output_center - by(before.linkage.bars.output_center)),
-                1e-8 * scale * size);
+      EXPECT_LT(std::abs(after->linkage.bars.output_fixed - by(before.linkage.bars.output_fixed)), 1e-8 * scale * size);
       EXPECT_EQ(after->type, before.type);
       EXPECT_EQ(after->defects.bits, before.defects.bits);
       EXPECT_NEAR(after->usable.length() / scale, before.usable.length(), 1e-6 * before.usable.length());

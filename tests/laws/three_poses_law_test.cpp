@@ -24,8 +24,8 @@ SynthesisOptions small() {
 
 MotionAnswer solved(const MotionTask& task) { return testing::solved(task, {}, small()); }
 
-Point input_arm(const FourBar& bars) { return bars.input_circle - bars.input_center; }
-Point output_arm(const FourBar& bars) { return bars.output_circle - bars.output_center; }
+Point input_arm(const FourBar& bars) { return bars.input_moving - bars.input_fixed; }
+Point output_arm(const FourBar& bars) { return bars.output_moving - bars.output_fixed; }
 
 // What was given, seen in a linkage; user's frame.
 void expect_kept(const SideLengths& given, const FourBarSolution& found) {
@@ -40,8 +40,8 @@ void expect_kept(const SideAngle& given, const FourBarSolution& found) {
 }
 
 void expect_kept(const InstantCenter& given, const FourBarSolution& found) {
-  for (const auto& [center, arm] : {std::pair{found.four_bar.input_center, input_arm(found.four_bar)},
-                                    std::pair{found.four_bar.output_center, output_arm(found.four_bar)}}) {
+  for (const auto& [center, arm] : {std::pair{found.four_bar.input_fixed, input_arm(found.four_bar)},
+                                    std::pair{found.four_bar.output_fixed, output_arm(found.four_bar)}}) {
     const Point ray = given.at_infinity ? given.point : given.point - center;
     EXPECT_NEAR(cross(arm / std::abs(arm), ray) / (1 + std::abs(ray)), 0, 1e-9);
   }
@@ -54,8 +54,8 @@ void expect_at(const std::optional<GivenPivot>& given, Point center, Point circl
 }
 
 void expect_kept(const GivenPivots& given, const FourBarSolution& found) {
-  expect_at(given.input, found.four_bar.input_center, found.four_bar.input_circle);
-  expect_at(given.output, found.four_bar.output_center, found.four_bar.output_circle);
+  expect_at(given.input, found.four_bar.input_fixed, found.four_bar.input_moving);
+  expect_at(given.output, found.four_bar.output_fixed, found.four_bar.output_moving);
 }
 
 void expect_on(const std::optional<LineAtAngle>& line, Point pivot) {
@@ -65,8 +65,8 @@ void expect_on(const std::optional<LineAtAngle>& line, Point pivot) {
 }
 
 void expect_kept(const PivotLines& given, const FourBarSolution& found) {
-  for (const Point pivot : {found.four_bar.input_center, found.four_bar.output_center}) expect_on(given.ground, pivot);
-  for (const Point pivot : {found.four_bar.input_circle, found.four_bar.output_circle}) expect_on(given.moving, pivot);
+  for (const Point pivot : {found.four_bar.input_fixed, found.four_bar.output_fixed}) expect_on(given.ground, pivot);
+  for (const Point pivot : {found.four_bar.input_moving, found.four_bar.output_moving}) expect_on(given.moving, pivot);
 }
 
 GivenPivot drawn_pivot(std::mt19937_64& random, PivotKind kind) {

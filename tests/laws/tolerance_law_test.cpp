@@ -23,7 +23,7 @@ constexpr int samples = 20'000;
 /// As a workshop sees it.
 struct Made {
   double input = 0, coupler = 0, output = 0;
-  Point input_center, output_center, arm;
+  Point input_fixed, output_fixed, arm;
   double side = 1;
 };
 struct Place {
@@ -46,14 +46,14 @@ Made made_of(Point a0, Point a, Point b, Point b0, Point point) {
 }
 
 std::optional<Place> assembled(const Made& made, double input_angle) {
-  const Point a = made.input_center + made.input * unit(input_angle), diagonal = made.output_center - a;
+  const Point a = made.input_fixed + made.input * unit(input_angle), diagonal = made.output_fixed - a;
   const double d = std::abs(diagonal);
   const double cosine = (d * d + made.coupler * made.coupler - made.output * made.output) / (2 * d * made.coupler);
   if (std::abs(cosine) > 1) return std::nullopt;
   // The output lies to the other side of the diagonal's.
   for (const double side : {1.0, -1.0}) {
     const Point along = diagonal / d * unit(side * std::acos(cosine)), b = a + made.coupler * along;
-    const Point output = b - made.output_center;
+    const Point output = b - made.output_fixed;
     if ((along.real() * output.imag() - along.imag() * output.real() < 0 ? -1.0 : 1.0) != made.side) continue;
     return Place{a + made.arm * along, std::arg(along), std::arg(output)};
   }
@@ -65,7 +65,7 @@ class Workshop {
   Made one(const Made& nominal) {
     Made made = nominal;
     for (double* length : {&made.input, &made.coupler, &made.output}) *length += length_(random_);
-    for (Point* point : {&made.input_center, &made.output_center, &made.arm})
+    for (Point* point : {&made.input_fixed, &made.output_fixed, &made.arm})
       *point += Point{length_(random_), length_(random_)};
     driver_ = radians(driver) / 3 * normal_(random_);
     return made;
@@ -138,7 +138,7 @@ TEST(ToleranceLaw, OfMotions) {
     for (const auto& there : poses) {
       const Point moved =
           there.pose.origin + unit(there.pose.angle - poses[0].pose.angle) * (circle - poses[0].pose.origin);
-      angles.push_back(std::arg(moved - nominal.input_center));
+      angles.push_back(std::arg(moved - nominal.input_fixed));
     }
     const auto squares = mean_squares(nominal, angles, [&](const Place& there, const Place& should) {
       const double turn = turning * std::remainder(there.coupler_angle - should.coupler_angle, 2 * pi);
@@ -158,7 +158,7 @@ TEST(ToleranceLaw, OfFunctions) {
     for (const json& there : linkage["poses"]) {
       const Point turn = unit(radians(there["theta_deg"].get<double>() - first["theta_deg"].get<double>()));
       const Point moved = Point{there["x"], there["y"]} + turn * (circle - Point{first["x"], first["y"]});
-      angles.push_back(std::arg(moved - nominal.input_center));
+      angles.push_back(std::arg(moved - nominal.input_fixed));
     }
     const auto squares = mean_squares(nominal, angles, [](const Place& there, const Place& should) {
       const double turn = degrees(std::remainder(there.output_angle - should.output_angle, 2 * pi));
@@ -178,7 +178,7 @@ TEST(ToleranceLaw, OfStraightLines) {
                 point_of(pivots["output_fixed"]), point_of(pivots["point"]));
     const auto& line = std::get<StraightLineTask>(told.problem.task).line;
     const Point along = unit(line.angle), at = point_of(pivots["point"]);
-    const double start = std::arg(point_of(pivots["input_moving"]) - nominal.input_center);
+    const double start = std::arg(point_of(pivots["input_moving"]) - nominal.input_fixed);
     std::vector<double> angles;
     for (const double sense : {1.0, -1.0})
       for (double turn = 0; turn < 1; turn += 0.004) {

@@ -33,11 +33,11 @@ bool is_borderline(const FourBar& bars, const std::vector<PrescribedPose>& poses
   double least = std::min({std::abs(t.t1), std::abs(t.t2), std::abs(t.t3)}) / bars.lengths().perimeter();
   const auto sine = [](Point u, Point v) { return std::abs(cross(u, v)) / (std::abs(u) * std::abs(v)); };
   for (const PrescribedPose& pose : poses) {
-    const Point a = displaced(bars.input_circle, poses[0].pose, pose.pose);
-    const Point b = displaced(bars.output_circle, poses[0].pose, pose.pose);
-    const Point frame = bars.output_center - bars.input_center;
-    least = std::min({least, sine(frame, a - bars.input_center), sine(a - bars.input_center, b - a),
-                      sine(b - a, bars.output_center - b)});
+    const Point a = displaced(bars.input_moving, poses[0].pose, pose.pose);
+    const Point b = displaced(bars.output_moving, poses[0].pose, pose.pose);
+    const Point frame = bars.output_fixed - bars.input_fixed;
+    least = std::min({least, sine(frame, a - bars.input_fixed), sine(a - bars.input_fixed, b - a),
+                      sine(b - a, bars.output_fixed - b)});
   }
   return least < 1e-7;
 }
@@ -82,7 +82,7 @@ bool is_nearly_at_rest(const FourBar& bars, const std::vector<PrescribedPose>& p
     const auto rate_of = [&](Point circle) {
       return d.origin + Point{0, d.angle} * (displaced(circle, poses[0].pose, pose.pose) - pose.pose.origin);
     };
-    const double input = std::abs(rate_of(bars.input_circle)), output = std::abs(rate_of(bars.output_circle));
+    const double input = std::abs(rate_of(bars.input_moving)), output = std::abs(rate_of(bars.output_moving));
     if (input < 1e-6 * output) return true;
   }
   return false;

@@ -45,16 +45,16 @@ void expect_found_in_windows(const MotionTask& task, std::mt19937_64& random, in
   const double size = whole.characteristic_length;
   for (const double share : {0.05, 0.002, 1e-5}) {
     Requirements wanted;
-    wanted.ground_pivots_within = box_round(user(bars->input_center), user(bars->output_center), share * size);
+    wanted.ground_pivots_within = box_round(user(bars->input_fixed), user(bars->output_fixed), share * size);
     if (random() % 2 == 0)
-      wanted.moving_pivots_within = box_round(user(bars->input_circle), user(bars->output_circle), share * size);
+      wanted.moving_pivots_within = box_round(user(bars->input_moving), user(bars->output_moving), share * size);
     const MotionAnswer found = testing::solved(task, wanted, usual());
     ++tried;
     if (found.left_out > 0) continue;
     EXPECT_FALSE(found.linkages.empty()) << share << ": " << found.reason.message;
     for (const FourBarSolution& linkage : found.linkages) {
-      EXPECT_TRUE(wanted.ground_pivots_within->contains(linkage.four_bar.input_center));
-      EXPECT_TRUE(wanted.ground_pivots_within->contains(linkage.four_bar.output_center));
+      EXPECT_TRUE(wanted.ground_pivots_within->contains(linkage.four_bar.input_fixed));
+      EXPECT_TRUE(wanted.ground_pivots_within->contains(linkage.four_bar.output_fixed));
     }
   }
 }

@@ -97,7 +97,7 @@ TEST(Mesh, OfATracedPointInAHingeIsClosed) {
   for (const double off : {0.0, 1e-6, 0.01, 0.3}) {
     StoredLinkage stored;
     stored.four_bar = {{0, 0}, {0, 1}, {4, 0}, {3.5, 2.5}};
-    stored.point = stored.four_bar.input_circle + Point{off, 0};
+    stored.point = stored.four_bar.input_moving + Point{off, 0};
     const Machine made = machine(moving_linkage(AnyStoredLinkage(stored))).value();
     EXPECT_EQ(std::get<FlatPlate>(made.parts[2].shape).holes.size(), off < 0.2 ? 2u : 3u) << off;
     for (const Part& part : made.parts) {

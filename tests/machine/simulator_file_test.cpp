@@ -16,8 +16,7 @@ int count(const std::string& text, const std::string& piece) {
 }
 
 Machine scaled(FourBar bars, const std::string& unit, double scale) {
-  for (Point* pivot : {&bars.input_center, &bars.input_circle, &bars.output_circle, &bars.output_center})
-    *pivot *= scale;
+  for (Point* pivot : {&bars.input_fixed, &bars.input_moving, &bars.output_moving, &bars.output_fixed}) *pivot *= scale;
   StoredLinkage linkage;
   linkage.four_bar = bars;
   linkage.length_unit = unit;

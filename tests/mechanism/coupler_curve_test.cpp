@@ -24,7 +24,7 @@ constexpr LinkLengths crank_rocker{4, 1, 3, 2.5}, rocker_crank{4, 2.5, 3, 1}, tr
 void expect_states_of(const FourBar& four_bar, Point traced, const std::vector<MotionState>& states) {
   const LinkLengths wanted = four_bar.lengths();
   const auto on_coupler = [](const FourBar& f, Point p) {
-    return (p - f.input_circle) / (f.output_circle - f.input_circle);
+    return (p - f.input_moving) / (f.output_moving - f.input_moving);
   };
   for (const MotionState& state : states) {
     const LinkLengths l = state.four_bar.lengths();
@@ -37,8 +37,8 @@ void expect_states_of(const FourBar& four_bar, Point traced, const std::vector<M
 }
 
 double distance(const MotionState& a, const MotionState& b) {
-  return std::max({std::abs(a.four_bar.input_circle - b.four_bar.input_circle),
-                   std::abs(a.four_bar.output_circle - b.four_bar.output_circle),
+  return std::max({std::abs(a.four_bar.input_moving - b.four_bar.input_moving),
+                   std::abs(a.four_bar.output_moving - b.four_bar.output_moving),
                    std::abs(a.coupler_point - b.coupler_point)});
 }
 
@@ -113,7 +113,7 @@ TEST(MotionCycle, MovesTheDrawingAsItLies) {
     const Point turn = scale * direction(random.uniform(-pi, pi)), shift = scale * Point{5, -7};
     const auto move = [&](Point p) { return turn * p + shift; };
     const auto again = motion_cycle(
-        {move(f.input_center), move(f.input_circle), move(f.output_center), move(f.output_circle)}, move(traced), 20);
+        {move(f.input_fixed), move(f.input_moving), move(f.output_fixed), move(f.output_moving)}, move(traced), 20);
     ASSERT_EQ(again.size(), states.size());
     for (std::size_t i = 0; i < states.size(); ++i)
       EXPECT_LT(std::abs(again[i].coupler_point - move(states[i].coupler_point)), 1e-13 * scale);
@@ -168,31 +168,31 @@ using testing::RandomFourBars;
 TracingFourBar random_linkage(RandomFourBars& random, bool on_coupler_line = false) {
   TracingFourBar linkage{random.four_bar(), {}};
   const Point share{random.uniform(-2, 2), on_coupler_line ? 0 : random.uniform(-2, 2)};
-  linkage.point = linkage.bars.input_circle + share * (linkage.bars.output_circle - linkage.bars.input_circle);
+  linkage.point = linkage.bars.input_moving + share * (linkage.bars.output_moving - linkage.bars.input_moving);
   return linkage;
 }
 
 double difference(const TracingFourBar& a, const TracingFourBar& b) {
-  return std::max({std::abs(a.bars.input_center - b.bars.input_center),
-                   std::abs(a.bars.input_circle - b.bars.input_circle),
-                   std::abs(a.bars.output_center - b.bars.output_center),
-                   std::abs(a.bars.output_circle - b.bars.output_circle), std::abs(a.point - b.point)});
+  return std::max({std::abs(a.bars.input_fixed - b.bars.input_fixed),
+                   std::abs(a.bars.input_moving - b.bars.input_moving),
+                   std::abs(a.bars.output_fixed - b.bars.output_fixed),
+                   std::abs(a.bars.output_moving - b.bars.output_moving), std::abs(a.point - b.point)});
 }
 
 // How far the output's length is from fitting where the point is somewhere: of the two ways in which the driving dyad
 // reaches there the better one.
 double misfit(const TracingFourBar& linkage, Point point) {
   const FourBar& bars = linkage.bars;
-  const Point way = point - bars.input_center;
-  const double crank = bars.lengths().input, arm = std::abs(linkage.point - bars.input_circle), far = std::abs(way);
+  const Point way = point - bars.input_fixed;
+  const double crank = bars.lengths().input, arm = std::abs(linkage.point - bars.input_moving), far = std::abs(way);
   const double cosine = (crank * crank + far * far - arm * arm) / (2 * crank * far);
   double best = std::numeric_limits<double>::infinity();
   for (const double side : {-1.0, 1.0}) {
     const Point pin =
-        bars.input_center + std::polar(crank, std::arg(way) + side * std::acos(std::clamp(cosine, -1.0, 1.0)));
-    const Point turn = (point - pin) / (linkage.point - bars.input_circle);
-    const Point output = pin + turn * (bars.output_circle - bars.input_circle);
-    best = std::min(best, std::abs(std::abs(output - bars.output_center) - bars.lengths().output) +
+        bars.input_fixed + std::polar(crank, std::arg(way) + side * std::acos(std::clamp(cosine, -1.0, 1.0)));
+    const Point turn = (point - pin) / (linkage.point - bars.input_moving);
+    const Point output = pin + turn * (bars.output_moving - bars.input_moving);
+    best = std::min(best, std::abs(std::abs(output - bars.output_fixed) - bars.lengths().output) +
                               std::max(std::abs(cosine) - 1, 0.0));
   }
   return best;
@@ -224,7 +224,7 @@ TEST(Cognates, TraceOtherCurvesOnceALinkIsChanged) {
   for (int i = 0; i < draws(100); ++i) {
     const TracingFourBar linkage = random_linkage(random);
     TracingFourBar other = cognates(linkage)->front();
-    other.bars.output_center += 0.01 * other.longest();
+    other.bars.output_fixed += 0.01 * other.longest();
     for (const MotionState& state : motion_cycle(linkage.bars, linkage.point, 25))
       if (misfit(other, state.coupler_point) > 1e-4 * other.longest()) {
         ++off;
@@ -256,19 +256,19 @@ TEST(Cognates, HaveTheLengthsOfSimilarTriangles) {
     const TracingFourBar linkage = random_linkage(random);
     const LinkLengths l = linkage.bars.lengths();
     const auto others = cognates(linkage);
-    const double first = std::abs(linkage.point - linkage.bars.input_circle),
-                 second = std::abs(linkage.point - linkage.bars.output_circle);
+    const double first = std::abs(linkage.point - linkage.bars.input_moving),
+                 second = std::abs(linkage.point - linkage.bars.output_moving);
     const auto expect = [&](const TracingFourBar& other, double arm, double share, const LinkLengths& of) {
       const LinkLengths found = other.bars.lengths();
       EXPECT_NEAR(found.ground, share * of.ground, 1e-12 * other.longest());
       EXPECT_NEAR(found.input, arm, 1e-12 * other.longest());
       EXPECT_NEAR(found.coupler, share * of.input, 1e-12 * other.longest());
       EXPECT_NEAR(found.output, share * of.output, 1e-12 * other.longest());
-      EXPECT_NEAR(std::abs(other.point - other.bars.input_circle), of.input, 1e-12 * other.longest());
+      EXPECT_NEAR(std::abs(other.point - other.bars.input_moving), of.input, 1e-12 * other.longest());
     };
     expect((*others)[0], first, first / l.coupler, l);
     expect((*others)[1], second, second / l.coupler, l.swapped());
-    EXPECT_LT(std::abs((*others)[0].bars.output_center - (*others)[1].bars.output_center),
+    EXPECT_LT(std::abs((*others)[0].bars.output_fixed - (*others)[1].bars.output_fixed),
               1e-12 * (*others)[0].longest());
   }
 }
@@ -284,8 +284,8 @@ TEST(Cognates, OfChebyshevsLinkageAreHoeckens) {
     EXPECT_NEAR(lengths.ground, 2, 1e-15);
     EXPECT_NEAR(lengths.coupler, 2.5, 1e-15);
     EXPECT_NEAR(lengths.output, 2.5, 1e-15);
-    EXPECT_NEAR(std::abs(other.point - other.bars.input_circle), 5, 1e-15);
-    EXPECT_NEAR(std::abs(other.point - other.bars.output_circle), 2.5, 1e-15);
+    EXPECT_NEAR(std::abs(other.point - other.bars.input_moving), 5, 1e-15);
+    EXPECT_NEAR(std::abs(other.point - other.bars.output_moving), 2.5, 1e-15);
     EXPECT_LT(
         difference(cognates(other)->front(), chebyshev) * difference(cognates(other)->front(), chebyshev.swapped()),
         1e-14);
@@ -294,10 +294,10 @@ TEST(Cognates, OfChebyshevsLinkageAreHoeckens) {
 
 TEST(Cognates, AreNoneWhereThePointIsAPivotOrTheCouplerHasNoLength) {
   const FourBar bars{{0, 0}, {0, 1}, {3, 0}, {3, 2}};
-  EXPECT_FALSE(cognates({bars, bars.input_circle}));
-  EXPECT_FALSE(cognates({bars, bars.output_circle}));
-  EXPECT_FALSE(cognates({bars, bars.output_circle + 1e-8}));
-  EXPECT_TRUE(cognates({bars, bars.output_circle + 1e-3}));
+  EXPECT_FALSE(cognates({bars, bars.input_moving}));
+  EXPECT_FALSE(cognates({bars, bars.output_moving}));
+  EXPECT_FALSE(cognates({bars, bars.output_moving + 1e-8}));
+  EXPECT_TRUE(cognates({bars, bars.output_moving + 1e-3}));
   EXPECT_FALSE(cognates({{{0, 0}, {1, 1}, {3, 0}, {1, 1}}, {2, 2}}));
 }
 

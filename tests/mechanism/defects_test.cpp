@@ -135,8 +135,8 @@ long double exact_angle(const FourBar& bars, const Pose& first, const Pose& pose
   const long double turned = static_cast<long double>(pose.angle) - first.angle;
   const Long turn(std::cos(turned), std::sin(turned));
   const auto at_pose = [&](Point p) { return longer(pose.origin) + turn * (longer(p) - longer(first.origin)); };
-  const Long coupler = at_pose(bars.output_circle) - at_pose(bars.input_circle),
-             output = at_pose(bars.output_circle) - longer(bars.output_center), product = coupler * std::conj(output);
+  const Long coupler = at_pose(bars.output_moving) - at_pose(bars.input_moving),
+             output = at_pose(bars.output_moving) - longer(bars.output_fixed), product = coupler * std::conj(output);
   return std::atan2(std::abs(product.imag()), std::abs(product.real()));
 }
 

@@ -71,8 +71,8 @@ TEST(DriveTable, CarriesTheBodyAlong) {
         ASSERT_NEAR(here.input, lengths.input, 1e-11 * size);
         ASSERT_NEAR(here.output, lengths.output, 1e-11 * size);
         // The body carries both moving pivots.
-        for (const auto& [from, to] : {std::pair{first.input_circle, state.four_bar.input_circle},
-                                       std::pair{first.output_circle, state.four_bar.output_circle}})
+        for (const auto& [from, to] : {std::pair{first.input_moving, state.four_bar.input_moving},
+                                       std::pair{first.output_moving, state.four_bar.output_moving}})
           ASSERT_LT(std::abs(displaced(from, task.poses[0].pose, state.body) - to), 1e-6 * size);
         if (before) {
           ASSERT_GT(state.turn, before->turn);

@@ -341,7 +341,7 @@ TEST(DriveThrough, FollowsTinyCircuits) {
 Task moved(const Task& task, Point turn_and_scale, Point shift) {
   const auto move = [&](Point p) { return turn_and_scale * p + shift; };
   const FourBar& f = task.four_bar;
-  Task result{{move(f.input_center), move(f.input_circle), move(f.output_center), move(f.output_circle)}, task.poses};
+  Task result{{move(f.input_fixed), move(f.input_moving), move(f.output_fixed), move(f.output_moving)}, task.poses};
   for (PrescribedPose& p : result.poses) p.pose = {move(p.pose.origin), p.pose.angle + std::arg(turn_and_scale)};
   return result;
 }
@@ -407,11 +407,11 @@ TEST(DriveThrough, SaysNothingOfWhatIsNoLinkage) {
   EXPECT_FALSE(drive_through({}, task.poses).completed) << "all pivots in one point";
   for (const double bad : {std::nan(""), std::numeric_limits<double>::infinity(), 1e308}) {
     FourBar four_bar = task.four_bar;
-    four_bar.output_circle = {bad, -bad};
+    four_bar.output_moving = {bad, -bad};
     EXPECT_FALSE(drive_through(four_bar, task.poses).completed);
   }
   Task without_coupler = task;
-  without_coupler.four_bar.output_circle = without_coupler.four_bar.input_circle;
+  without_coupler.four_bar.output_moving = without_coupler.four_bar.input_moving;
   EXPECT_FALSE(drive_through(without_coupler.four_bar, without_coupler.poses).completed);
   Task nowhere = task;
   nowhere.poses[1].pose.angle = std::nan("");

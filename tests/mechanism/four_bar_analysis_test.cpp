@@ -34,7 +34,7 @@ TEST(FourBarAnalysis, LinksKeepTheirLengthsInEveryState) {
   for (const MotionState& state : tabulated_motion(bars, {1, 1})) {
     EXPECT_NEAR(state.four_bar.lengths().coupler, bars.lengths().coupler, 1e-9);
     EXPECT_NEAR(state.four_bar.lengths().output, bars.lengths().output, 1e-9);
-    EXPECT_NEAR(std::abs(state.coupler_point - state.four_bar.input_circle), std::abs(Point(1, 1) - bars.input_circle),
+    EXPECT_NEAR(std::abs(state.coupler_point - state.four_bar.input_moving), std::abs(Point(1, 1) - bars.input_moving),
                 1e-9);
   }
 }

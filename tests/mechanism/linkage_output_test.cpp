@@ -15,14 +15,14 @@ TEST(LinkageOutput, CarriesTheCouplerAlongThePoses) {
   const PlanarOutput output = pose_output(bars, poses);
   EXPECT_EQ(output.kind, PlanarOutput::Kind::pose);
   ASSERT_EQ(output.positions.size(), poses.size());
-  EXPECT_EQ(output.positions[0].bars.input_circle, bars.input_circle);
+  EXPECT_EQ(output.positions[0].bars.input_moving, bars.input_moving);
   for (std::size_t j = 0; j < poses.size(); ++j) {
     const auto& [there, point] = output.positions[j];
     EXPECT_EQ(point, poses[j].pose.origin);
-    EXPECT_EQ(there.input_center, bars.input_center);
-    EXPECT_NEAR(std::abs(there.output_circle - there.input_circle), std::abs(bars.output_circle - bars.input_circle),
+    EXPECT_EQ(there.input_fixed, bars.input_fixed);
+    EXPECT_NEAR(std::abs(there.output_moving - there.input_moving), std::abs(bars.output_moving - bars.input_moving),
                 1e-12);
-    const double turn = std::arg((there.output_circle - there.input_circle) / (bars.output_circle - bars.input_circle));
+    const double turn = std::arg((there.output_moving - there.input_moving) / (bars.output_moving - bars.input_moving));
     EXPECT_NEAR(turn, poses[j].pose.angle - poses[0].pose.angle, 1e-12);
   }
 }
@@ -30,7 +30,7 @@ TEST(LinkageOutput, CarriesTheCouplerAlongThePoses) {
 TEST(LinkageOutput, OfAnAngleHasNoPointOfItsOwn) {
   const PlanarOutput output = angle_output(bars, poses);
   EXPECT_EQ(output.kind, PlanarOutput::Kind::angle);
-  for (const TracingFourBar& there : output.positions) EXPECT_EQ(there.point, there.bars.input_circle);
+  for (const TracingFourBar& there : output.positions) EXPECT_EQ(there.point, there.bars.input_moving);
   EXPECT_TRUE(is_angle(output));
   EXPECT_FALSE(is_angle(pose_output(bars, poses)));
 }

@@ -56,8 +56,8 @@ std::vector<Travel> travels(int count) {
 
 // As it lies in the first pose served.
 FourBar in(const FourBar& bars, const Pose& from, const Pose& to) {
-  return {bars.input_center, displaced(bars.input_circle, from, to), bars.output_center,
-          displaced(bars.output_circle, from, to)};
+  return {bars.input_fixed, displaced(bars.input_moving, from, to), bars.output_fixed,
+          displaced(bars.output_moving, from, to)};
 }
 
 TEST(PoseError, IsNothingWhereTheLinkagePassesThePose) {
@@ -86,7 +86,7 @@ double least_by_brute_force(const FourBar& bars, const Pose& given, const Relaxe
     if (!there) continue;
     const FourBar moved = placed(bars, *there);
     const double turn = there->coupler_angle - start.coupler_angle;
-    const Point origin = moved.input_circle + direction(turn) * (given.origin - bars.input_circle);
+    const Point origin = moved.input_moving + direction(turn) * (given.origin - bars.input_moving);
     const double angle = wrap_signed(given.angle + turn - relaxed.pose.angle);
     least = std::min(least, std::hypot(std::abs(origin - relaxed.pose.origin), relaxed.size * angle));
   }
@@ -133,7 +133,7 @@ TEST(PoseError, GrowsWithTheDrawingAndMovesWithIt) {
     const Point shift = scale * Point{random.uniform(-9, 9), random.uniform(-9, 9)};
     const auto point = [&](Point p) { return scale * direction(angle) * p + shift; };
     const FourBar& b = travel.bars;
-    const FourBar moved{point(b.input_center), point(b.input_circle), point(b.output_center), point(b.output_circle)};
+    const FourBar moved{point(b.input_fixed), point(b.input_moving), point(b.output_fixed), point(b.output_moving)};
     const auto before = pose_error(b, served, wanted);
     const auto after = pose_error(moved, testing::moved(served, scale, angle, shift),
                                   {{point(wanted.pose.origin), wanted.pose.angle + angle}, 2, scale * wanted.size});

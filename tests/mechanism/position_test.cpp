@@ -125,14 +125,14 @@ TEST(Configuration, IsThatInWhichTheFourBarLies) {
     const FourBar four_bar = random.four_bar();
     const Configuration c = configuration_of(four_bar);
     const FourBar again = placed(four_bar, c);
-    EXPECT_LT(std::abs(again.input_circle - four_bar.input_circle), 1e-14);
-    EXPECT_LT(std::abs(again.output_circle - four_bar.output_circle), 1e-14);
-    EXPECT_EQ(again.input_center, four_bar.input_center);
-    EXPECT_EQ(again.output_center, four_bar.output_center);
+    EXPECT_LT(std::abs(again.input_moving - four_bar.input_moving), 1e-14);
+    EXPECT_LT(std::abs(again.output_moving - four_bar.output_moving), 1e-14);
+    EXPECT_EQ(again.input_fixed, four_bar.input_fixed);
+    EXPECT_EQ(again.output_fixed, four_bar.output_fixed);
     EXPECT_LT(loop_gap(four_bar.lengths(), c), 1e-14);
     const auto found = assemble(four_bar.lengths(), c.input_angle, assembly_of(four_bar));
     ASSERT_TRUE(found.has_value());
-    EXPECT_LT(std::abs(placed(four_bar, *found).output_circle - four_bar.output_circle), 1e-7);
+    EXPECT_LT(std::abs(placed(four_bar, *found).output_moving - four_bar.output_moving), 1e-7);
   }
 }
 

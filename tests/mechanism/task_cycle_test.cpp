@@ -21,7 +21,7 @@ std::vector<PrescribedPose> poses_at(const FourBar& bars, std::initializer_list<
   for (const double turn : turns) {
     const auto there = assemble(bars.lengths(), start.input_angle + turn, assembly_of(bars));
     const FourBar moved = placed(bars, *there);
-    poses.push_back({{moved.input_circle, there->coupler_angle - start.coupler_angle}, {}});
+    poses.push_back({{moved.input_moving, there->coupler_angle - start.coupler_angle}, {}});
   }
   return poses;
 }
@@ -31,8 +31,8 @@ void expect_linkage_holds(const FourBar& bars, const std::vector<CycleState>& cy
   for (const CycleState& state : cycle) {
     EXPECT_NEAR(state.four_bar.lengths().coupler, lengths.coupler, 1e-9);
     EXPECT_NEAR(state.four_bar.lengths().output, lengths.output, 1e-9);
-    EXPECT_NEAR(std::abs(state.body.origin - state.four_bar.input_circle), 0, 1e-9);
-    EXPECT_NEAR(std::sin(state.input_angle - std::arg(state.four_bar.input_circle - state.four_bar.input_center)), 0,
+    EXPECT_NEAR(std::abs(state.body.origin - state.four_bar.input_moving), 0, 1e-9);
+    EXPECT_NEAR(std::sin(state.input_angle - std::arg(state.four_bar.input_moving - state.four_bar.input_fixed)), 0,
                 1e-9);
   }
   for (std::size_t i = 1; i < cycle.size(); ++i) {
@@ -78,13 +78,13 @@ TEST(TaskCycle, TellsNoPoseOfAnotherCircuit) {
   const Configuration start = configuration_of(crank_rocker);
   const auto other = assemble(crank_rocker.lengths(), start.input_angle + 0.4, Assembly::negative);
   ASSERT_EQ(assembly_of(crank_rocker), Assembly::positive);
-  poses.push_back({{placed(crank_rocker, *other).input_circle, other->coupler_angle - start.coupler_angle}, {}});
+  poses.push_back({{placed(crank_rocker, *other).input_moving, other->coupler_angle - start.coupler_angle}, {}});
   EXPECT_EQ(met(task_cycle(crank_rocker, poses, step)), (std::vector{0, 1}));
 }
 
 TEST(TaskCycle, OfALinkageThatMissesItsPosesIsItsOwnMotion) {
   for (const FourBar& bars : {crank_rocker, triple_rocker}) {
-    auto poses = bars.input_circle == crank_rocker.input_circle ? poses_at(bars, {0, 0.31, 1.7})
+    auto poses = bars.input_moving == crank_rocker.input_moving ? poses_at(bars, {0, 0.31, 1.7})
                                                                 : poses_at(bars, {0, -0.1, -0.2});
     poses[1].pose.origin += Point{0.02, -0.01};
     poses[2].pose.angle += 0.01;
@@ -103,8 +103,8 @@ TEST(TaskCycle, OfALinkageThatMissesItsPosesIsItsOwnMotion) {
       }
       // It comes no nearer in any of the rows, by the distances of its moving pivots.
       const auto off = [&](const CycleState& there) {
-        return std::norm(there.four_bar.input_circle - displaced(bars.input_circle, poses[0].pose, poses[pose].pose)) +
-               std::norm(there.four_bar.output_circle - displaced(bars.output_circle, poses[0].pose, poses[pose].pose));
+        return std::norm(there.four_bar.input_moving - displaced(bars.input_moving, poses[0].pose, poses[pose].pose)) +
+               std::norm(there.four_bar.output_moving - displaced(bars.output_moving, poses[0].pose, poses[pose].pose));
       };
       for (const CycleState& other : cycle) EXPECT_GE(off(other), off(state) - 1e-12);
     }

@@ -39,7 +39,7 @@ TEST(TransmissionAngle, IsThatBetweenCouplerAndOutputWhicheverIsAcute) {
   RandomFourBars random(21);
   for (int i = 0; i < 3000; ++i) {
     const FourBar f = random.four_bar();
-    const Point to_input = f.input_circle - f.output_circle, to_center = f.output_center - f.output_circle;
+    const Point to_input = f.input_moving - f.output_moving, to_center = f.output_fixed - f.output_moving;
     const double between = std::atan2(std::abs(cross(to_input, to_center)), std::abs(dot(to_input, to_center)));
     EXPECT_NEAR(transmission_angle(f.lengths(), configuration_of(f)), between, 1e-13);
   }

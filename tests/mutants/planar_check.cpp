@@ -25,7 +25,7 @@ struct Trial {
 // A wrong sign may hide while the frame lies along an axis.
 void turn_drawing(Trial& trial, double angle, Point shift) {
   FourBar& bars = trial.bars;
-  for (Point* pivot : {&bars.input_center, &bars.input_circle, &bars.output_center, &bars.output_circle})
+  for (Point* pivot : {&bars.input_fixed, &bars.input_moving, &bars.output_fixed, &bars.output_moving})
     *pivot = direction(angle) * *pivot + shift;
   for (PrescribedPose& pose : trial.poses) {
     pose.pose.origin = direction(angle) * pose.pose.origin + shift;
@@ -59,8 +59,8 @@ bool sweep_agrees(const Trial& trial, const DefectReport& report) {
   const double sweep = report.sense == DriveSense::cw ? -report.sweep : report.sweep;
   const auto end = assemble(lengths, start + sweep, assembly_of(trial.bars));
   if (!end) return false;
-  const Point wanted = displaced(trial.bars.output_circle, trial.poses.front().pose, trial.poses.back().pose);
-  if (std::abs(placed(trial.bars, *end).output_circle - wanted) > 1e-6) return false;
+  const Point wanted = displaced(trial.bars.output_moving, trial.poses.front().pose, trial.poses.back().pose);
+  if (std::abs(placed(trial.bars, *end).output_moving - wanted) > 1e-6) return false;
   if (report.sense == DriveSense::either) return true;  // the better of two ways
   const double least = least_transmission_angle(lengths, start, start + sweep);
   return std::abs(report.min_transmission_angle - least) < 1e-5;

@@ -33,8 +33,8 @@ bool touches(const TracingFourBar& linkage, const StraightLineTask& task, std::s
   const Pose here = poses.front().pose;
   for (std::size_t j = 0; j < poses.size(); ++j) {
     const auto moved = [&](Point moving) { return displaced(moving, here, poses[j].pose); };
-    const TracingFourBar there{{linkage.bars.input_center, moved(linkage.bars.input_circle), linkage.bars.output_center,
-                                moved(linkage.bars.output_circle)},
+    const TracingFourBar there{{linkage.bars.input_fixed, moved(linkage.bars.input_moving), linkage.bars.output_fixed,
+                                moved(linkage.bars.output_moving)},
                                moved(linkage.point)};
     const double size = linkage.longest(),
                  stretched = std::abs(there.bars.lengths().output - linkage.bars.lengths().output);

@@ -35,17 +35,17 @@ std::optional<State> planar_state(const PlanarValues& values, Assembly assembly)
 bool agrees(const TracingFourBar& linkage) {
   const FourBar& bars = linkage.bars;
   const LinkLengths l = bars.lengths();
-  const Point arm = (linkage.point - bars.input_circle) * std::conj(bars.output_circle - bars.input_circle) / l.coupler;
+  const Point arm = (linkage.point - bars.input_moving) * std::conj(bars.output_moving - bars.input_moving) / l.coupler;
   const PlanarValues values = {l.input,
                                l.coupler,
                                l.output,
-                               bars.input_center.real(),
-                               bars.input_center.imag(),
-                               bars.output_center.real(),
-                               bars.output_center.imag(),
+                               bars.input_fixed.real(),
+                               bars.input_fixed.imag(),
+                               bars.output_fixed.real(),
+                               bars.output_fixed.imag(),
                                arm.real(),
                                arm.imag(),
-                               std::arg(bars.input_circle - bars.input_center)};
+                               std::arg(bars.input_moving - bars.input_fixed)};
   const auto by = sensitivity_of(linkage);
   for (std::size_t i = 0; by && i < planar_parameters; ++i) {
     PlanarValues more = values, less = values;
@@ -120,7 +120,7 @@ int disagreements() {
     const FourBar bars = random.four_bar();
     const LinkLengths l = bars.lengths();
     const double sine =
-        std::abs(cross(bars.output_circle - bars.input_circle, bars.output_circle - bars.output_center)) /
+        std::abs(cross(bars.output_moving - bars.input_moving, bars.output_moving - bars.output_fixed)) /
         (l.coupler * l.output);
     if (sine > 0.3 && l.shortest() > 0.3)
       found += !agrees(TracingFourBar{bars, {random.uniform(-3, 3), random.uniform(-3, 3)}});

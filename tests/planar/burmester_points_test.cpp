@@ -182,15 +182,15 @@ TEST(BurmesterPoints, HoldTheTwoSideLinksOfALinkageThatWasDrivenThroughThePoses)
       const auto there = assemble(bars.lengths(), start.input_angle + 0.25 * j, assembly_of(bars));
       if (!there) break;
       const FourBar moved = placed(bars, *there);
-      const double turn = std::arg((moved.output_circle - moved.input_circle) / (b - a));
-      poses.push_back({moved.input_circle + direction(turn) * (Point{0.2, 0.3} - a), turn});
+      const double turn = std::arg((moved.output_moving - moved.input_moving) / (b - a));
+      poses.push_back({moved.input_moving + direction(turn) * (Point{0.2, 0.3} - a), turn});
     }
     if (poses.size() < 5) continue;
     const PoseConditions conditions = pose_conditions(prescribed(poses));
     if (conditions.condition() > 1e5) continue;
     ++tried;
     const BurmesterPoints found = burmester_points(conditions);
-    for (const auto& [center, circle] : {std::pair{bars.input_center, a}, std::pair{bars.output_center, b}}) {
+    for (const auto& [center, circle] : {std::pair{bars.input_fixed, a}, std::pair{bars.output_fixed, b}}) {
       const Dyad wanted{normalized(conditions.frame.to_working(Homogeneous::of(center))),
                         normalized(conditions.frame.to_working(Homogeneous::of(circle)))};
       double condition = 1, best = 2;

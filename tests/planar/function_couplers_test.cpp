@@ -38,8 +38,8 @@ TEST(FunctionCouplers, PivotsLieOnTheUsersGroundLink) {
   ASSERT_TRUE(couplers.curve);
   const auto bars = function_four_bar(task, couplers.frame(), *couplers.coupler(0.3));
   ASSERT_TRUE(bars);
-  EXPECT_EQ(bars->input_center, Point(3, 1));
-  EXPECT_EQ(bars->output_center, Point(3, 5));
+  EXPECT_EQ(bars->input_fixed, Point(3, 1));
+  EXPECT_EQ(bars->output_fixed, Point(3, 5));
   EXPECT_LT(coupler_residual(*bars, task.pairs), 1e-12);
   EXPECT_FALSE(couplers.coupler(-0.1));
   EXPECT_FALSE(couplers.coupler(couplers.curve->coordinate_length()));
@@ -95,8 +95,8 @@ TEST(FunctionCouplers, FivePairsOfALinkageFindIt) {
     const FourBar bars = random.four_bar();
     const LinkLengths lengths = bars.lengths();
     FunctionTask task;
-    task.input_pivot = bars.input_center;
-    task.output_pivot = bars.output_center;
+    task.input_pivot = bars.input_fixed;
+    task.output_pivot = bars.output_fixed;
     const Configuration start = configuration_of(bars);
     task.pairs = {{start.input_angle, start.output_angle, {}}};
     while (task.pairs.size() < 5) {
@@ -109,8 +109,8 @@ TEST(FunctionCouplers, FivePairsOfALinkageFindIt) {
     double nearest = 1e9;
     for (const Dyad& point : couplers.points)
       if (const auto other = function_four_bar(task, couplers.frame(), point))
-        nearest = std::min(nearest, std::abs(other->input_circle - bars.input_circle) +
-                                        std::abs(other->output_circle - bars.output_circle));
+        nearest = std::min(nearest, std::abs(other->input_moving - bars.input_moving) +
+                                        std::abs(other->output_moving - bars.output_moving));
     EXPECT_LT(nearest, 1e-5) << "task " << i;
     ++found;
   }

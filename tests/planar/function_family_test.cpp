@@ -113,8 +113,8 @@ TEST(FunctionFamily, AFreeNumberAtItsOwnValueIsTheTask) {
     ASSERT_TRUE(a && b);
     const auto bars = four_bar_of(*a), others = four_bar_of(*b);
     ASSERT_TRUE(bars && others);
-    EXPECT_NEAR(std::abs(bars->input_circle - others->input_circle), 0, 1e-9);
-    EXPECT_NEAR(std::abs(bars->output_circle - others->output_circle), 0, 1e-9);
+    EXPECT_NEAR(std::abs(bars->input_moving - others->input_moving), 0, 1e-9);
+    EXPECT_NEAR(std::abs(bars->output_moving - others->output_moving), 0, 1e-9);
   }
 }
 
@@ -139,8 +139,8 @@ TEST(FunctionFamily, LinkagesFoundStandOnTheGroundPivotsAndGenerateThePairs) {
       const MapPoint place{tau, free ? 0.3 : 0.5};
       const auto found = make_four_bar(given, place, true, true);
       if (!found || found->lengths.longest() > 30 * found->lengths.shortest()) continue;
-      EXPECT_NEAR(std::abs(found->four_bar.input_center - task.input_pivot), 0, 1e-12);
-      EXPECT_NEAR(std::abs(found->four_bar.output_center - task.output_pivot), 0, 1e-12);
+      EXPECT_NEAR(std::abs(found->four_bar.input_fixed - task.input_pivot), 0, 1e-12);
+      EXPECT_NEAR(std::abs(found->four_bar.output_fixed - task.output_pivot), 0, 1e-12);
       EXPECT_LT(found->residual, 1e-10);
       EXPECT_TRUE(found->verified_by_driving) << tau;
       const FunctionTask fixed = family_of(given).task_at(place);

@@ -19,7 +19,7 @@ namespace {
 using testing::uniform;
 
 Point output_arm_turned(const FourBar& bars, const AnglePair& first, const AnglePair& pair) {
-  return bars.output_center + direction(pair.output - first.output) * (bars.output_circle - bars.output_center);
+  return bars.output_fixed + direction(pair.output - first.output) * (bars.output_moving - bars.output_fixed);
 }
 
 std::optional<FourBar> linkage_at(const FunctionTask& task, double tau) {
@@ -38,10 +38,10 @@ TEST(FunctionLinkage, TheCouplerIsWhereTheArmsAre) {
     const auto poses = coupler_poses(*bars, pairs);
     for (std::size_t j = 0; j < pairs.size(); ++j) {
       const double size = bars->lengths().perimeter();
-      EXPECT_NEAR(std::abs(displaced(bars->input_circle, poses[0].pose, poses[j].pose) - bars->input_center -
-                           direction(pairs[j].input - pairs[0].input) * (bars->input_circle - bars->input_center)),
+      EXPECT_NEAR(std::abs(displaced(bars->input_moving, poses[0].pose, poses[j].pose) - bars->input_fixed -
+                           direction(pairs[j].input - pairs[0].input) * (bars->input_moving - bars->input_fixed)),
                   0, 1e-13 * size);
-      EXPECT_NEAR(std::abs(displaced(bars->output_circle, poses[0].pose, poses[j].pose) -
+      EXPECT_NEAR(std::abs(displaced(bars->output_moving, poses[0].pose, poses[j].pose) -
                            output_arm_turned(*bars, pairs[0], pairs[j])),
                   0, 1e-9 * size);
     }
@@ -67,12 +67,12 @@ TEST(FunctionLinkage, TheCouplersRatesAreThoseOfADrivenFourBar) {
         {to, there->output_angle, {{1, rates->output}, {0, rates->output_acceleration}}}};
     const auto poses = coupler_poses(bars, pairs);
     const FourBar moved = placed(bars, *there);
-    EXPECT_NEAR(std::abs(poses[1].pose.origin - moved.input_circle), 0, 1e-12);
-    EXPECT_NEAR(std::abs(displaced(bars.output_circle, poses[0].pose, poses[1].pose) - moved.output_circle), 0, 1e-9);
+    EXPECT_NEAR(std::abs(poses[1].pose.origin - moved.input_moving), 0, 1e-12);
+    EXPECT_NEAR(std::abs(displaced(bars.output_moving, poses[0].pose, poses[1].pose) - moved.output_moving), 0, 1e-9);
     const double size = 1 + std::abs(rates->coupler_acceleration);
     EXPECT_NEAR(poses[1].derivatives[0].angle, rates->coupler, 1e-9 * size);
     EXPECT_NEAR(poses[1].derivatives[1].angle, rates->coupler_acceleration, 1e-8 * size);
-    EXPECT_NEAR(std::abs(poses[1].derivatives[0].origin - Point{0, 1} * (moved.input_circle - moved.input_center)), 0,
+    EXPECT_NEAR(std::abs(poses[1].derivatives[0].origin - Point{0, 1} * (moved.input_moving - moved.input_fixed)), 0,
                 1e-12);
     EXPECT_LT(coupler_residual(bars, pairs), 1e-9);
   }

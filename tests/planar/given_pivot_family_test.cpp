@@ -95,8 +95,8 @@ TEST(GivenPivotsFamily, IsOneLinkage) {
   family.classify(map, input, output, true);
   const FourBar bars = four_bar_of(*family.dyad_pair({input[0], output[0]})).value();
   EXPECT_EQ(map.type(0), linkage_type(bars.lengths()));
-  EXPECT_LT(std::abs(task.conditions.frame.to_user(bars.input_center) - Point{1, 2}), 1e-12);
-  EXPECT_LT(std::abs(task.conditions.frame.to_user(bars.output_circle) - Point{-1, 0.5}), 1e-12);
+  EXPECT_LT(std::abs(task.conditions.frame.to_user(bars.input_fixed) - Point{1, 2}), 1e-12);
+  EXPECT_LT(std::abs(task.conditions.frame.to_user(bars.output_moving) - Point{-1, 0.5}), 1e-12);
 }
 
 // Each cell is what the verdict on its one linkage says, and turns its driver as that does.
@@ -132,8 +132,8 @@ TEST(PivotPlaceFamily, JudgesEachCellAsTheLinkageThere) {
             EXPECT_NEAR(map.driver_sweep(i, k), report.sweep, 1e-5);
             EXPECT_NEAR(map.min_transmission_angle(cell), report.min_transmission_angle, 1e-4);
             const Point sought = kind == PivotKind::ground
-                                     ? (given == Side::input ? bars->output_center : bars->input_center)
-                                     : (given == Side::input ? bars->output_circle : bars->input_circle);
+                                     ? (given == Side::input ? bars->output_fixed : bars->input_fixed)
+                                     : (given == Side::input ? bars->output_moving : bars->input_moving);
             const Point there = task.conditions.frame.to_user(sought);
             EXPECT_NEAR(family.axis_value(Side::output, columns[k]), there.real(), 1e-9 * (1 + std::abs(there)));
             EXPECT_NEAR(family.axis_value(Side::input, rows[i]), there.imag(), 1e-9 * (1 + std::abs(there)));

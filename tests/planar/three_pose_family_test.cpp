@@ -33,8 +33,8 @@ SideAngleFamily angle_family(const std::vector<PrescribedPose>& poses, double an
 FourBar user_bars(const FourBarFamily& family, const DyadPair& links) {
   const FourBar bars = four_bar_of(links).value();
   const WorkingFrame& frame = family.frame();
-  return {frame.to_user(bars.input_center), frame.to_user(bars.input_circle), frame.to_user(bars.output_center),
-          frame.to_user(bars.output_circle)};
+  return {frame.to_user(bars.input_fixed), frame.to_user(bars.input_moving), frame.to_user(bars.output_fixed),
+          frame.to_user(bars.output_moving)};
 }
 
 double residual(const std::vector<PrescribedPose>& poses, Point center, Point circle) {
@@ -46,8 +46,8 @@ double residual(const std::vector<PrescribedPose>& poses, Point center, Point ci
   return worst;
 }
 
-Point input_arm(const FourBar& bars) { return bars.input_circle - bars.input_center; }
-Point output_arm(const FourBar& bars) { return bars.output_circle - bars.output_center; }
+Point input_arm(const FourBar& bars) { return bars.input_moving - bars.input_fixed; }
+Point output_arm(const FourBar& bars) { return bars.output_moving - bars.output_fixed; }
 
 TEST(SideLengthsFamily, KeepsBothLengthsAndTheDirectionsOnItsAxes) {
   const auto family = lengths_family(general_poses, 2, 1.7);
@@ -65,7 +65,7 @@ TEST(SideLengthsFamily, KeepsBothLengthsAndTheDirectionsOnItsAxes) {
       EXPECT_NEAR(bars.lengths().output, 1.7, 1e-12);
       EXPECT_NEAR(std::remainder(std::arg(input_arm(bars)) - radians(family.axis_value(Side::input, u)), two_pi), 0,
                   1e-12);
-      EXPECT_LT(residual(general_poses, bars.output_center, bars.output_circle), 1e-12);
+      EXPECT_LT(residual(general_poses, bars.output_fixed, bars.output_moving), 1e-12);
       ++found;
     }
   EXPECT_EQ(found, 400);
@@ -105,8 +105,8 @@ TEST(SideLengthsFamily, OneShiftLeavesTheCirclesOfCentres) {
       if (!links) continue;
       const FourBar bars = user_bars(family, *links);
       EXPECT_NEAR(bars.lengths().input, 2, 1e-12);
-      EXPECT_LT(residual(shifted_poses, bars.input_center, bars.input_circle), 1e-13);
-      EXPECT_LT(residual(shifted_poses, bars.output_center, bars.output_circle), 1e-13);
+      EXPECT_LT(residual(shifted_poses, bars.input_fixed, bars.input_moving), 1e-13);
+      EXPECT_LT(residual(shifted_poses, bars.output_fixed, bars.output_moving), 1e-13);
       ++found;
     }
   EXPECT_EQ(found, 144);
@@ -135,7 +135,7 @@ TEST_P(SideAngle, IsKeptByEveryFourBar) {
         const auto links = family.dyad_pair({u, v});
         if (!links) continue;
         const FourBar bars = user_bars(family, *links);
-        const double size = std::abs(bars.output_center) + std::abs(bars.input_center);
+        const double size = std::abs(bars.output_fixed) + std::abs(bars.input_fixed);
         EXPECT_NEAR(bars.lengths().input / length, 1, 1e-13 * (1 + size / length));
         EXPECT_NEAR(bars.lengths().output / family.axis_value(Side::output, v), 1,
                     1e-13 * (1 + size / bars.lengths().output));
@@ -209,7 +209,7 @@ TEST(SideAngleFamily, OneShiftTakesTheLengthFromTheDirection) {
       const auto links = family.dyad_pair({u, v});
       if (!links) continue;
       const FourBar bars = user_bars(family, *links);
-      EXPECT_LT(residual(shifted_poses, bars.output_center, bars.output_circle), 1e-12);
+      EXPECT_LT(residual(shifted_poses, bars.output_fixed, bars.output_moving), 1e-12);
       EXPECT_NEAR(std::remainder(std::arg(output_arm(bars) / input_arm(bars)) - 0.4, pi), 0, 1e-12);
       ++found;
     }

@@ -53,8 +53,8 @@ TEST(LinkageFamily, GivesTheOutputOfEachCell) {
   const auto output_of = family.outputs_of(map);
   const auto there = output_of(1, 2);
   ASSERT_TRUE(there);
-  EXPECT_EQ(std::get<PlanarOutput>(*there).positions[0].bars.input_circle, 1.5);
-  EXPECT_EQ(std::get<PlanarOutput>(*there).positions[0].bars.output_circle, Point(3, 2.5));
+  EXPECT_EQ(std::get<PlanarOutput>(*there).positions[0].bars.input_moving, 1.5);
+  EXPECT_EQ(std::get<PlanarOutput>(*there).positions[0].bars.output_moving, Point(3, 2.5));
   EXPECT_FALSE(family.four_bar_cells(map));
   EXPECT_FALSE(family.spherical_cells(map));
 }

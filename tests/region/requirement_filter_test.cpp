@@ -39,8 +39,8 @@ class LandingGearFilter : public ::testing::Test {
     const DefectReport report = find_defects(bars, poses);
     return report.defects.none() && report.min_transmission_angle >= wanted.min_transmission_angle &&
            lengths.longest() <= wanted.max_link_ratio * lengths.shortest() && lengths.longest() <= *wanted.max_length &&
-           lengths.shortest() >= *wanted.min_length && wanted.ground_pivots_within->contains(bars.input_center) &&
-           wanted.ground_pivots_within->contains(bars.output_center);
+           lengths.shortest() >= *wanted.min_length && wanted.ground_pivots_within->contains(bars.input_fixed) &&
+           wanted.ground_pivots_within->contains(bars.output_fixed);
   }
 
   std::vector<PrescribedPose> poses = testing::planar_case("landing_gear").poses;

@@ -31,7 +31,7 @@ void expect_errors(const Output& output, const Tolerances& tolerances, const Err
 
 std::vector<TracingFourBar> some_positions() {
   const FourBar bars = testing::four_bar_at({3, 1, 2.6, 2.4}, 0.4, Assembly::positive);
-  const TracingFourBar linkage{bars, bars.input_circle + Point{1.2, 0.9}};
+  const TracingFourBar linkage{bars, bars.input_moving + Point{1.2, 0.9}};
   std::vector<TracingFourBar> positions;
   for (int k = 0; k < 5; ++k)
     positions.push_back(linkage.moved_to(placed(bars, *assemble(bars.lengths(), 0.4 + 0.3 * k, Assembly::positive))));
@@ -46,7 +46,7 @@ TEST(SampledPositions, OfPlanarLinkagesHaveTheErrorsOfTheSamples) {
     const Tolerances t{.length = LengthTolerances::all(size), .clearance = size / 2, .driver = size};
     expect_errors(pose_output(positions, 2), t, [](const TracingFourBar& is, const TracingFourBar& was) {
       const FourBar &a = is.bars, &b = was.bars;
-      const double turn = angle_between_points(a.output_circle - a.input_circle, b.output_circle - b.input_circle);
+      const double turn = angle_between_points(a.output_moving - a.input_moving, b.output_moving - b.input_moving);
       return std::hypot(std::abs(is.point - was.point), 2 * turn);
     });
     const DirectedLine line{{0.5, 1}, direction(0.3)};

@@ -37,16 +37,16 @@ struct Built {
 Built built_of(const TracingFourBar& linkage) {
   const FourBar& bars = linkage.bars;
   const LinkLengths l = bars.lengths();
-  const Point arm = (linkage.point - bars.input_circle) * std::conj(bars.output_circle - bars.input_circle) / l.coupler;
-  return {{l.input, l.coupler, l.output, bars.input_center.real(), bars.input_center.imag(), bars.output_center.real(),
-           bars.output_center.imag(), arm.real(), arm.imag(), std::arg(bars.input_circle - bars.input_center)},
+  const Point arm = (linkage.point - bars.input_moving) * std::conj(bars.output_moving - bars.input_moving) / l.coupler;
+  return {{l.input, l.coupler, l.output, bars.input_fixed.real(), bars.input_fixed.imag(), bars.output_fixed.real(),
+           bars.output_fixed.imag(), arm.real(), arm.imag(), std::arg(bars.input_moving - bars.input_fixed)},
           assembly_of(bars)};
 }
 
 // How near a dead point it is: derivatives grow as its inverse's powers, and the differences' error with them.
 double joint_sine(const FourBar& bars) {
   const LinkLengths l = bars.lengths();
-  return std::abs(cross(bars.output_circle - bars.input_circle, bars.output_circle - bars.output_center)) /
+  return std::abs(cross(bars.output_moving - bars.input_moving, bars.output_moving - bars.output_fixed)) /
          (l.coupler * l.output);
 }
 
@@ -151,7 +151,7 @@ TEST(Sensitivity, OfALineIsAcrossIt) {
   testing::RandomFourBars random(1503);
   std::vector<TracingFourBar> stroke;
   const FourBar bars = testing::four_bar_at({3, 1, 2.6, 2.4}, 0.4, Assembly::positive);
-  const TracingFourBar linkage{bars, bars.input_circle + Point{1.2, 0.9}};
+  const TracingFourBar linkage{bars, bars.input_moving + Point{1.2, 0.9}};
   for (int k = 0; k < 9; ++k)
     stroke.push_back(linkage.moved_to(placed(bars, *assemble(bars.lengths(), 0.4 + 0.1 * k, Assembly::positive))));
   const DirectedLine line{linkage.point, direction(0.7)};

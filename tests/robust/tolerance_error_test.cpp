@@ -162,21 +162,20 @@ Lanes random_lanes(testing::RandomFourBars& random, const Tolerances& t, int pos
   }
   for (int k = 0; k < ToleranceErrorBlock::size; ++k) {
     const LinkLengths lengths = random.lengths();
-    const Point input_center{random.uniform(-2, 2), random.uniform(-2, 2)},
-        output_center = input_center + lengths.ground;
+    const Point input_fixed{random.uniform(-2, 2), random.uniform(-2, 2)}, output_fixed = input_fixed + lengths.ground;
     for (int c = 0; c < 2; ++c) {
-      block.input_center[c][k] = c == 0 ? input_center.real() : input_center.imag();
-      block.output_center[c][k] = c == 0 ? output_center.real() : output_center.imag();
+      block.input_fixed[c][k] = c == 0 ? input_fixed.real() : input_fixed.imag();
+      block.output_fixed[c][k] = c == 0 ? output_fixed.real() : output_fixed.imag();
     }
     for (int j = 0; j < positions; ++j) {
       const FourBar bars = testing::four_bar_at(lengths, random.input_angle(lengths), random.assembly());
-      const Point a = bars.input_circle + input_center, b = bars.output_circle + input_center;
+      const Point a = bars.input_moving + input_fixed, b = bars.output_moving + input_fixed;
       lanes.positions[static_cast<std::size_t>(k)].push_back(
-          {{input_center, a, output_center, b}, poses[static_cast<std::size_t>(j)].origin});
-      block.input_circle[j][0][k] = a.real();
-      block.input_circle[j][1][k] = a.imag();
-      block.output_circle[j][0][k] = b.real();
-      block.output_circle[j][1][k] = b.imag();
+          {{input_fixed, a, output_fixed, b}, poses[static_cast<std::size_t>(j)].origin});
+      block.input_moving[j][0][k] = a.real();
+      block.input_moving[j][1][k] = a.imag();
+      block.output_moving[j][0][k] = b.real();
+      block.output_moving[j][1][k] = b.imag();
     }
   }
   return lanes;
@@ -213,7 +212,7 @@ TEST(ToleranceError, HasNoBoundAtADeadPoint) {
   Lanes lanes = random_lanes(random, {.length = LengthTolerances::all(0.1), .turning_length = 1}, 2);
   ToleranceErrorBlock& block = lanes.block;
   for (int c = 0; c < 2; ++c)  // in lane 3 the coupler is a part of the output
-    block.input_circle[1][c][3] = (block.output_circle[1][c][3] + block.output_center[c][3]) / 2;
+    block.input_moving[1][c][3] = (block.output_moving[1][c][3] + block.output_fixed[c][3]) / 2;
   for (const Simd simd : {Simd::scalar, Simd::baseline, Simd::avx2, Simd::avx512}) {
     if (!is_supported(simd)) continue;
     tolerance_error_kernel.for_simd(simd)(block);

@@ -212,21 +212,21 @@ TEST(ToleranceSampling, HasTheFiguresOfLambdaLinkages) {
 TracingFourBar made(const TracingFourBar& nominal, const std::vector<double>& off, bool& assembled) {
   const FourBar& bars = nominal.bars;
   const LinkLengths l = bars.lengths();
-  const Point input_center = bars.input_center + Point{off[3], off[4]};
-  const Point output_center = bars.output_center + Point{off[5], off[6]};
-  const Point ground = output_center - input_center;
+  const Point input_fixed = bars.input_fixed + Point{off[3], off[4]};
+  const Point output_fixed = bars.output_fixed + Point{off[5], off[6]};
+  const Point ground = output_fixed - input_fixed;
   const LinkLengths lengths{std::abs(ground), l.input + off[0], l.coupler + off[1], l.output + off[2]};
-  const double turned = std::arg(bars.input_circle - bars.input_center) + off[9];
+  const double turned = std::arg(bars.input_moving - bars.input_fixed) + off[9];
   const auto c = assemble(lengths, turned - std::arg(ground), assembly_of(bars));
   if (!c) {
     assembled = false;
     return nominal;
   }
-  const Point input_circle = input_center + lengths.input * direction(turned);
+  const Point input_moving = input_fixed + lengths.input * direction(turned);
   const Point along = direction(c->coupler_angle + std::arg(ground));
-  const Point arm = (nominal.point - bars.input_circle) * l.coupler / (bars.output_circle - bars.input_circle);
-  return {{input_center, input_circle, output_center, input_circle + lengths.coupler * along},
-          input_circle + (arm + Point{off[7], off[8]}) * along};
+  const Point arm = (nominal.point - bars.input_moving) * l.coupler / (bars.output_moving - bars.input_moving);
+  return {{input_fixed, input_moving, output_fixed, input_moving + lengths.coupler * along},
+          input_moving + (arm + Point{off[7], off[8]}) * along};
 }
 
 double angle_of(Point from, Point to) { return std::abs(std::arg(to / from)); }
@@ -236,8 +236,8 @@ double error_in(const PlanarOutput& output, const TracingFourBar& nominal, const
   const FourBar &a = nominal.bars, &b = actual.bars;
   if (output.kind == PlanarOutput::Kind::line) return std::abs(output.line.to_line(actual.point).imag());
   if (output.kind == PlanarOutput::Kind::angle)
-    return angle_of(a.output_circle - a.output_center, b.output_circle - b.output_center);
-  const double turn = angle_of(a.output_circle - a.input_circle, b.output_circle - b.input_circle);
+    return angle_of(a.output_moving - a.output_fixed, b.output_moving - b.output_fixed);
+  const double turn = angle_of(a.output_moving - a.input_moving, b.output_moving - b.input_moving);
   return std::hypot(std::abs(actual.point - nominal.point), output.turning_length * turn);
 }
 
@@ -423,8 +423,8 @@ TEST(ToleranceSampling, JudgesPointAndAngleOfAPoseEachByItsLimit) {
     for (const TracingFourBar& nominal : output.positions) {
       const TracingFourBar actual = made(nominal, off, assembled);
       point = std::max(point, std::abs(actual.point - nominal.point));
-      angle = std::max(angle, angle_of(nominal.bars.output_circle - nominal.bars.input_circle,
-                                       actual.bars.output_circle - actual.bars.input_circle));
+      angle = std::max(angle, angle_of(nominal.bars.output_moving - nominal.bars.input_moving,
+                                       actual.bars.output_moving - actual.bars.input_moving));
     }
     points += point <= 0.02;
     angles += angle <= 0.005;

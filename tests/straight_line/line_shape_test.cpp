@@ -37,7 +37,7 @@ TEST(LineShape, HasItsLinkagesOnItsLineWhereverItIsMovedAndHoweverLarge) {
         const TracingFourBar &one = before[layer].linkage, &other = after[layer].linkage;
         const double size = scale * one.longest();
         EXPECT_LT(std::abs(line.to_fixed(scale * one.point) - other.point), 1e-7 * size);
-        EXPECT_LT(std::abs(line.to_fixed(scale * one.bars.output_circle) - other.bars.output_circle), 1e-7 * size);
+        EXPECT_LT(std::abs(line.to_fixed(scale * one.bars.output_moving) - other.bars.output_moving), 1e-7 * size);
       }
     }
 }
@@ -64,8 +64,8 @@ TEST(LineShape, OfTheClassicsHaveThePublishedProportions) {
     const LinkLengths lengths = design.linkage.bars.lengths();
     const auto share = [&](double length) { return length / lengths.ground; };
     return std::array{share(lengths.input), share(lengths.coupler), share(lengths.output),
-                      share(std::abs(design.linkage.point - design.linkage.bars.input_circle)),
-                      share(std::abs(design.linkage.point - design.linkage.bars.output_circle))};
+                      share(std::abs(design.linkage.point - design.linkage.bars.input_moving)),
+                      share(std::abs(design.linkage.point - design.linkage.bars.output_moving))};
   };
   const auto expect = [&](const LineShape& shape, const std::array<double, 5>& published) {
     for (const double number : shape.numbers) EXPECT_TRUE(number >= 0 && number <= 1);
@@ -83,9 +83,9 @@ TEST(LineShape, OfTheClassicsHaveThePublishedProportions) {
   for (std::size_t i = 0; i < 3; ++i) EXPECT_NEAR(roberts[i], 0.5, 1e-9);
   for (const LineShape& evans : line_classics(ShapeKind::ball_point_on_frame)) {
     const TracingFourBar linkage = designs_of_shape(placed(evans)).front().linkage;
-    const Point frame = linkage.bars.output_center - linkage.bars.input_center;
-    EXPECT_NEAR(dot(frame, linkage.bars.output_circle - linkage.bars.output_center), 0, 1e-12);
-    EXPECT_NEAR(cross(frame, linkage.point - linkage.bars.output_center), 0, 1e-12);
+    const Point frame = linkage.bars.output_fixed - linkage.bars.input_fixed;
+    EXPECT_NEAR(dot(frame, linkage.bars.output_moving - linkage.bars.output_fixed), 0, 1e-12);
+    EXPECT_NEAR(cross(frame, linkage.point - linkage.bars.output_fixed), 0, 1e-12);
   }
 }
 

@@ -81,8 +81,8 @@ Point pin_at(const Task& task, const PlacedContact& contact) {
 TracingFourBar at_contact(const Task& task, const TracingFourBar& linkage, const PlacedContact& contact) {
   const FourBar& bars = linkage.bars;
   const Point point = task.line.to_fixed(contact.s), pin = pin_at(task, contact);
-  const Point turn = (point - pin) / (linkage.point - bars.input_circle);
-  return {{bars.input_center, pin, bars.output_center, pin + turn * (bars.output_circle - bars.input_circle)}, point};
+  const Point turn = (point - pin) / (linkage.point - bars.input_moving);
+  return {{bars.input_fixed, pin, bars.output_fixed, pin + turn * (bars.output_moving - bars.input_moving)}, point};
 }
 
 // The largest miss of what the contacts ask for, over the longest link; nothing where the path is singular there.
@@ -108,10 +108,10 @@ std::optional<double> worst_miss(const Task& task, const TracingFourBar& linkage
 }
 
 double difference(const TracingFourBar& a, const TracingFourBar& b) {
-  return std::max({std::abs(a.bars.input_center - b.bars.input_center),
-                   std::abs(a.bars.input_circle - b.bars.input_circle),
-                   std::abs(a.bars.output_center - b.bars.output_center),
-                   std::abs(a.bars.output_circle - b.bars.output_circle), std::abs(a.point - b.point)}) /
+  return std::max({std::abs(a.bars.input_fixed - b.bars.input_fixed),
+                   std::abs(a.bars.input_moving - b.bars.input_moving),
+                   std::abs(a.bars.output_fixed - b.bars.output_fixed),
+                   std::abs(a.bars.output_moving - b.bars.output_moving), std::abs(a.point - b.point)}) /
          a.longest();
 }
 
@@ -150,7 +150,7 @@ TEST(MixedDesigns, OfHoeckensContactsAreHoeckens) {
   const Task task{{{0, 4}, {1, 0}}, 0, {{2, 2, 1}, {4, 2, 1}}, 0, 1, 5};
   const auto found = task.designs();
   ASSERT_EQ(found[0].kind, DesignKind::four_bar);
-  EXPECT_LT(std::abs(found[0].linkage.bars.output_center - Point(2, 0)), 1e-13);
+  EXPECT_LT(std::abs(found[0].linkage.bars.output_fixed - Point(2, 0)), 1e-13);
   const LinkLengths lengths = found[0].linkage.bars.lengths();
   EXPECT_NEAR(lengths.coupler, 2.5, 1e-13);
   EXPECT_NEAR(lengths.output, 2.5, 1e-13);
@@ -174,10 +174,10 @@ TEST(MixedDesigns, HaveTheirContacts) {
           exact += *miss < 1e-9;
           EXPECT_LT(*miss, 1e-5);
           const FourBar& bars = design.linkage.bars;
-          const Point arm = (bars.output_circle - bars.input_circle) / (design.linkage.point - bars.input_circle);
+          const Point arm = (bars.output_moving - bars.input_moving) / (design.linkage.point - bars.input_moving);
           EXPECT_LT(std::abs((arm * direction(-task.coupler_angle)).imag()), 1e-9 * std::abs(arm));
           EXPECT_NEAR(bars.lengths().input, task.crank, 1e-12);
-          EXPECT_NEAR(std::abs(design.linkage.point - bars.input_circle), task.point_arm, 1e-12);
+          EXPECT_NEAR(std::abs(design.linkage.point - bars.input_moving), task.point_arm, 1e-12);
           EXPECT_LT(std::abs(design.linkage.point - task.line.to_fixed(task.contacts[0].s)), 1e-12);
         }
       }
@@ -279,10 +279,11 @@ TEST(MixedDesigns, MoveWithTheTask) {
       const TracingFourBar& l = a[k].linkage;
       const FourBar& bars = l.bars;
       ++compared;
-      same += difference({{moved(bars.input_center), moved(bars.input_circle), moved(bars.output_center),
-                           moved(bars.output_circle)},
-                          moved(l.point)},
-                         b[k].linkage) < 1e-6;
+      same +=
+          difference(
+              {{moved(bars.input_fixed), moved(bars.input_moving), moved(bars.output_fixed), moved(bars.output_moving)},
+               moved(l.point)},
+              b[k].linkage) < 1e-6;
     }
   }
   EXPECT_GT(compared, draws(800));
@@ -308,7 +309,7 @@ TEST(MixedDesigns, OfContactsThatMeetAreThoseOfTheMultipleContact) {
         near += found[k].kind == DesignKind::four_bar &&
                 difference(wanted[k].linkage, found[k].linkage) < 10 * apart + 1e-6;
         if (apart < tolerance::double_contact && found[k].kind == DesignKind::four_bar) {
-          EXPECT_LT(std::abs(found[k].linkage.bars.output_center - wanted[k].linkage.bars.output_center),
+          EXPECT_LT(std::abs(found[k].linkage.bars.output_fixed - wanted[k].linkage.bars.output_fixed),
                     1e-7 * wanted[k].linkage.longest());
         }
         // They have the contacts asked for all the same.
@@ -367,7 +368,7 @@ TEST(MixedDesigns, NameASlider) {
     const auto inverse = [&](double crank) {
       task.crank = crank;
       const LineDesign design = task.designs()[k];
-      return design.kind == DesignKind::four_bar ? 1.0 / (design.linkage.bars.output_center - task.input_pivot)
+      return design.kind == DesignKind::four_bar ? 1.0 / (design.linkage.bars.output_fixed - task.input_pivot)
                                                  : Point{};
     };
     double low = task.crank, high = 1.01 * low;
@@ -385,8 +386,8 @@ TEST(MixedDesigns, NameASlider) {
     task.crank = low;
     const TracingFourBar beside = task.designs()[k].linkage;
     const double shortest =
-        std::min({beside.bars.lengths().shortest(), std::abs(beside.point - beside.bars.input_circle),
-                  std::abs(beside.point - beside.bars.output_circle)});
+        std::min({beside.bars.lengths().shortest(), std::abs(beside.point - beside.bars.input_moving),
+                  std::abs(beside.point - beside.bars.output_moving)});
     vanishing += shortest < 2 * tolerance::vanishing_link * beside.longest();
   }
   EXPECT_GT(sliders, 2);

@@ -45,8 +45,8 @@ TEST(StraightLineFamily, HasABranchToEachLayerOverTheSameNumbers) {
   const auto one = family.design(*family.point_of({0, {60, 120}})),
              other = family.design(*family.point_of({1, {60, 120}}));
   ASSERT_EQ(one.kind, DesignKind::four_bar);
-  EXPECT_NEAR(std::abs(one.linkage.bars.input_circle - Point(1.350145, 2.33852)), 0, 1e-5);
-  EXPECT_NEAR(std::abs(other.linkage.bars.input_circle - Point(0.453814, 0.786028)), 0, 1e-5);
+  EXPECT_NEAR(std::abs(one.linkage.bars.input_moving - Point(1.350145, 2.33852)), 0, 1e-5);
+  EXPECT_NEAR(std::abs(other.linkage.bars.input_moving - Point(0.453814, 0.786028)), 0, 1e-5);
 }
 
 TEST(StraightLineFamily, TakesItsRangesFromTheWindow) {
@@ -110,8 +110,8 @@ TEST(StraightLineFamily, IsFilteredByStrokeAndDeviation) {
 
 double apart(const TracingFourBar& a, const TracingFourBar& b) {
   return std::max(
-      {std::abs(a.bars.input_center - b.bars.input_center), std::abs(a.bars.input_circle - b.bars.input_circle),
-       std::abs(a.bars.output_center - b.bars.output_center), std::abs(a.bars.output_circle - b.bars.output_circle)});
+      {std::abs(a.bars.input_fixed - b.bars.input_fixed), std::abs(a.bars.input_moving - b.bars.input_moving),
+       std::abs(a.bars.output_fixed - b.bars.output_fixed), std::abs(a.bars.output_moving - b.bars.output_moving)});
 }
 TracingFourBar at(const StraightLineTask& task, double first, double second, int layer = 0) {
   const StraightLineFamily family(task, {});
@@ -131,7 +131,7 @@ TEST(StraightLineFamily, RunsFromOneCaseIntoAnother) {
 
   // 10.3 is 9.5 with one length of the output link.
   const TracingFourBar on_frame = at({line, FivePointSideLinkOnFrame{1}}, 55, -20);
-  const Point arm = on_frame.bars.output_circle - on_frame.bars.output_center;
+  const Point arm = on_frame.bars.output_moving - on_frame.bars.output_fixed;
   const Point tangent = -line.left() * std::conj(direction(radians(55)));
   EXPECT_NEAR(std::abs(cross(arm, tangent)), 0, 1e-12 * std::abs(arm));
   EXPECT_LT(apart(on_frame, at({line, PoleAtFixedPivot{1, dot(arm, tangent)}}, 55, -20)), 1e-10);
@@ -148,10 +148,10 @@ TEST(StraightLineFamily, RunsFromOneCaseIntoAnother) {
     while (turn <= -90) turn += 180;
     return turn;
   };
-  const Point moving = symmetric.bars.input_circle - pole, t = -line.left() * std::conj(direction(pi / 2 - ray));
+  const Point moving = symmetric.bars.input_moving - pole, t = -line.left() * std::conj(direction(pi / 2 - ray));
   const double m = cross(t, moving) / std::norm(moving), cubic_n = 1 / ((-1 - m) * std::tan(ray));
   const TracingFourBar general = at({line, FourPointCubic{-1, pi / 2 - ray, cubic_n}},
-                                    ray_of(symmetric.bars.input_center), ray_of(symmetric.bars.output_center));
+                                    ray_of(symmetric.bars.input_fixed), ray_of(symmetric.bars.output_fixed));
   EXPECT_LT(std::min(apart(symmetric, general), apart(symmetric, general.swapped())), 1e-5);
 }
 

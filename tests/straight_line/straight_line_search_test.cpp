@@ -30,8 +30,8 @@ StraightLineSearchResult found(const straight_cases::Search& wanted, const Requi
 // nothing with the series that the path is made of.
 double farthest_off(const StraightLineSolution& of, const DirectedLine& line, double half) {
   const LinkLengths lengths = of.linkage.bars.lengths();
-  const Point arm = (of.linkage.point - of.linkage.bars.input_circle) /
-                    (of.linkage.bars.output_circle - of.linkage.bars.input_circle);
+  const Point arm = (of.linkage.point - of.linkage.bars.input_moving) /
+                    (of.linkage.bars.output_moving - of.linkage.bars.input_moving);
   double farthest = 0, reached_low = 0, reached_high = 0;
   const auto path = StraightPath::of(of.linkage, of.task.line.direction);
   for (const auto& state : path->states(4001)) {
@@ -39,7 +39,7 @@ double farthest_off(const StraightLineSolution& of, const DirectedLine& line, do
         assemble(lengths, configuration_of(state.linkage.bars).input_angle, assembly_of(state.linkage.bars));
     if (!now) continue;
     const FourBar bars = placed(of.linkage.bars, *now);
-    const Point at = line.to_line(bars.input_circle + arm * (bars.output_circle - bars.input_circle));
+    const Point at = line.to_line(bars.input_moving + arm * (bars.output_moving - bars.input_moving));
     if (std::abs(at.real()) > half) continue;
     farthest = std::max(farthest, std::abs(at.imag()));
     reached_low = std::min(reached_low, at.real());
@@ -73,7 +73,7 @@ TEST(StraightLineSearch, FindsLinkagesThatRunStraightWhereTheyAreWanted) {
       ASSERT_TRUE(point);
       const LineDesign design = family.design(*point);
       ASSERT_EQ(design.kind, DesignKind::four_bar);
-      EXPECT_LT(std::abs(design.linkage.bars.output_circle - one.linkage.bars.output_circle), 1e-9 * before);
+      EXPECT_LT(std::abs(design.linkage.bars.output_moving - one.linkage.bars.output_moving), 1e-9 * before);
     }
   }
 }
@@ -88,7 +88,7 @@ struct Classical {
 TracingFourBar laid(const LinkLengths& lengths, double input_angle, Assembly assembly, Point share) {
   const FourBar frame{0, lengths.input, lengths.ground, lengths.ground + lengths.output};
   const FourBar bars = placed(frame, *assemble(lengths, input_angle, assembly));
-  return {bars, bars.input_circle + share * (bars.output_circle - bars.input_circle)};
+  return {bars, bars.input_moving + share * (bars.output_moving - bars.input_moving)};
 }
 
 // Scaled to their stroke and measured by the best line, none is smaller than what is found.
@@ -129,8 +129,8 @@ TEST(StraightLineSearch, KeepsTheRequirements) {
   const auto result = found({100, 0.1}, wanted);
   EXPECT_GT(result.linkages.size(), 1u);
   for (const StraightLineSolution& one : result.linkages) {
-    EXPECT_TRUE(wanted.ground_pivots_within->contains(one.linkage.bars.input_center));
-    EXPECT_TRUE(wanted.ground_pivots_within->contains(one.linkage.bars.output_center));
+    EXPECT_TRUE(wanted.ground_pivots_within->contains(one.linkage.bars.input_fixed));
+    EXPECT_TRUE(wanted.ground_pivots_within->contains(one.linkage.bars.output_fixed));
     EXPECT_GE(one.stroke->min_transmission_angle, radians(25));
     EXPECT_LE(one.linkage.longest(), 400);
     EXPECT_NE(std::find(wanted.types.begin(), wanted.types.end(), one.type), wanted.types.end());
@@ -149,7 +149,7 @@ TEST(StraightLineSearch, RanksByTheDeviationAsByTheStroke) {
   ASSERT_FALSE(a.linkages.empty());
   ASSERT_EQ(a.linkages.size(), b.linkages.size());
   for (std::size_t i = 0; i < a.linkages.size(); ++i)
-    EXPECT_EQ(a.linkages[i].linkage.bars.input_circle, b.linkages[i].linkage.bars.input_circle);
+    EXPECT_EQ(a.linkages[i].linkage.bars.input_moving, b.linkages[i].linkage.bars.input_moving);
 }
 
 // Its strip is the stroke but for rounding.
@@ -173,7 +173,7 @@ TEST(StraightLineSearch, IsTheSameForAnyNumberOfThreadsAndEndsWhenItIsTold) {
   const auto a = found({100, 0.05}, requirements(1000), one), b = found({100, 0.05}, requirements(1000), two);
   ASSERT_EQ(a.linkages.size(), b.linkages.size());
   for (std::size_t i = 0; i < a.linkages.size(); ++i)
-    EXPECT_EQ(a.linkages[i].linkage.bars.input_circle, b.linkages[i].linkage.bars.input_circle);
+    EXPECT_EQ(a.linkages[i].linkage.bars.input_moving, b.linkages[i].linkage.bars.input_moving);
   const std::atomic<bool> cancelled = true;
   const auto none =
       search_straight_lines({}, {100, 0.05}, requirements(1000), {}, {.report = {}, .cancelled = &cancelled});

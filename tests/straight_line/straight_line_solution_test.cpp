@@ -24,7 +24,7 @@ TEST(StraightLineSolution, IsMeasuredExactly) {
   EXPECT_GE(found->usable_strip.length(), found->usable.length());
   ASSERT_TRUE(found->stroke);
   EXPECT_DOUBLE_EQ(found->stroke->from, -0.1);
-  EXPECT_NEAR(found->point_to_input(), std::abs(found->linkage.point - found->linkage.bars.input_circle), 0);
+  EXPECT_NEAR(found->point_to_input(), std::abs(found->linkage.point - found->linkage.bars.input_moving), 0);
   EXPECT_EQ(&found->counted(LineMeasure::strip), &found->usable_strip);
 }
 
@@ -36,7 +36,7 @@ TEST(StraightLineSolution, HasCognatesAsStraightAsItself) {
   ASSERT_EQ(found->cognates.size(), 2U);
   for (const StraightLineCognate& other : found->cognates) {
     EXPECT_EQ(other.linkage.point, found->linkage.point);
-    EXPECT_GT(std::abs(other.linkage.bars.input_circle - found->linkage.bars.input_circle), 1e-3);
+    EXPECT_GT(std::abs(other.linkage.bars.input_moving - found->linkage.bars.input_moving), 1e-3);
     EXPECT_EQ(other.type, linkage_type(other.linkage.bars.lengths()));
     const StrokeReport &here = found->over_usable, &there = other.over_usable;
     EXPECT_NEAR(there.from, here.from, 1e-9);

@@ -81,10 +81,10 @@ LineDesigns found_at(const StraightLineTask& task, double first, double second) 
 // Largest distance of the five points; the grounded links may be named either way.
 double distance(const TracingFourBar& a, const TracingFourBar& b) {
   const auto apart = [](const TracingFourBar& one, const TracingFourBar& other) {
-    return std::max({std::abs(one.point - other.point), std::abs(one.bars.input_center - other.bars.input_center),
-                     std::abs(one.bars.input_circle - other.bars.input_circle),
-                     std::abs(one.bars.output_center - other.bars.output_center),
-                     std::abs(one.bars.output_circle - other.bars.output_circle)});
+    return std::max({std::abs(one.point - other.point), std::abs(one.bars.input_fixed - other.bars.input_fixed),
+                     std::abs(one.bars.input_moving - other.bars.input_moving),
+                     std::abs(one.bars.output_fixed - other.bars.output_fixed),
+                     std::abs(one.bars.output_moving - other.bars.output_moving)});
   };
   return std::min(apart(a, b), apart(a, b.swapped()));
 }

@@ -65,13 +65,13 @@ TEST(StraightPath, IsThatOfALinkageThatKeepsItsLinks) {
     EXPECT_EQ(path->begin(), PathEnd::turn);
     EXPECT_EQ(path->end(), PathEnd::turn);
     const LinkLengths lengths = linkage.bars.lengths();
-    const double arm = std::abs(linkage.point - linkage.bars.input_circle);
+    const double arm = std::abs(linkage.point - linkage.bars.input_moving);
     for (const StraightPath::State& state : path->states(101)) {
       const LinkLengths there = state.linkage.bars.lengths();
       EXPECT_NEAR(there.input, lengths.input, 1e-12);
       EXPECT_NEAR(there.coupler, lengths.coupler, 1e-11);
       EXPECT_NEAR(there.output, lengths.output, 1e-12);
-      EXPECT_NEAR(std::abs(state.linkage.point - state.linkage.bars.input_circle), arm, 1e-12);
+      EXPECT_NEAR(std::abs(state.linkage.point - state.linkage.bars.input_moving), arm, 1e-12);
       EXPECT_NEAR(dot(along, state.linkage.point - linkage.point), state.s, 1e-11);
       EXPECT_NEAR(cross(along, state.linkage.point - linkage.point), state.e, 1e-11);
     }

@@ -118,9 +118,9 @@ TEST(SymmetricLambda, RunsAsItSays) {
       EXPECT_NEAR(lengths.ground, lambda->ground, 1e-13 * lambda->link);
       EXPECT_NEAR(lengths.coupler, lambda->link, 1e-13 * lambda->link);
       EXPECT_NEAR(lengths.output, lambda->link, 1e-13 * lambda->link);
-      EXPECT_NEAR(std::abs(linkage.point - linkage.bars.output_circle), lambda->link, 1e-13 * lambda->link);
+      EXPECT_NEAR(std::abs(linkage.point - linkage.bars.output_moving), lambda->link, 1e-13 * lambda->link);
       EXPECT_EQ(linkage.point, line.point);
-      const Point center = line.to_line(linkage.bars.input_center);
+      const Point center = line.to_line(linkage.bars.input_fixed);
       EXPECT_LT(center.real(), 0);
       EXPECT_EQ(center.imag() > 0, mirrored);
       EXPECT_NEAR(std::abs(center.imag()), lambda->line_height - lambda->max_deviation, 1e-12 * lambda->link);

@@ -31,24 +31,24 @@ FourBar RandomFourBars::four_bar(const LinkLengths& lengths) {
   const Point center{uniform(-3, 3), uniform(-3, 3)};
   const FourBar frame{center, {}, center + lengths.ground * direction(uniform(-pi, pi)), {}};
   const Configuration c = *assemble(lengths, input_angle(lengths), assembly());
-  const Point axis = (frame.output_center - center) / lengths.ground;
+  const Point axis = (frame.output_fixed - center) / lengths.ground;
   const Point input = center + lengths.input * axis * direction(c.input_angle);
-  return {center, input, frame.output_center, input + lengths.coupler * axis * direction(c.coupler_angle)};
+  return {center, input, frame.output_fixed, input + lengths.coupler * axis * direction(c.coupler_angle)};
 }
 
 FourBar four_bar_at(const LinkLengths& lengths, double input_angle, Assembly assembly) {
   const auto c = assemble(lengths, input_angle, assembly);
   if (!c) throw std::invalid_argument("the four-bar cannot be assembled there");
-  const Point output_center{lengths.ground, 0};
+  const Point output_fixed{lengths.ground, 0};
   return {{},
           lengths.input * direction(c->input_angle),
-          output_center,
-          output_center + lengths.output * direction(c->output_angle)};
+          output_fixed,
+          output_fixed + lengths.output * direction(c->output_angle)};
 }
 
 Pose coupler_pose(const FourBar& four_bar, Point offset, double turn) {
-  const Point coupler = four_bar.output_circle - four_bar.input_circle;
-  return {four_bar.input_circle + coupler / std::abs(coupler) * offset, std::arg(coupler) + turn};
+  const Point coupler = four_bar.output_moving - four_bar.input_moving;
+  return {four_bar.input_moving + coupler / std::abs(coupler) * offset, std::arg(coupler) + turn};
 }
 
 double loop_gap(const LinkLengths& lengths, const Configuration& c) {

@@ -68,10 +68,10 @@ TEST(SolveMotion, LinkagesMeetTheRequirementsAndAreChecked) {
       const double ratio = linkage.lengths.longest() / linkage.lengths.shortest();
       EXPECT_LE(ratio, wanted.max_link_ratio);
       EXPECT_LE(linkage.lengths.longest(), *wanted.max_length * (1 + 1e-12));
-      EXPECT_TRUE(wanted.ground_pivots_within->contains(linkage.four_bar.input_center));
-      EXPECT_TRUE(wanted.ground_pivots_within->contains(linkage.four_bar.output_center));
-      EXPECT_TRUE(wanted.moving_pivots_within->contains(linkage.four_bar.input_circle));
-      EXPECT_TRUE(wanted.moving_pivots_within->contains(linkage.four_bar.output_circle));
+      EXPECT_TRUE(wanted.ground_pivots_within->contains(linkage.four_bar.input_fixed));
+      EXPECT_TRUE(wanted.ground_pivots_within->contains(linkage.four_bar.output_fixed));
+      EXPECT_TRUE(wanted.moving_pivots_within->contains(linkage.four_bar.input_moving));
+      EXPECT_TRUE(wanted.moving_pivots_within->contains(linkage.four_bar.output_moving));
       const double score =
           rank_of(objective, planar_measures)
               .score({linkage.report.type,
@@ -98,8 +98,8 @@ TEST(SolveMotion, BestIsAtLeastAsGoodAsTheBestCellAndAFinerMap) {
 }
 
 double pivots_apart(const FourBar& a, const FourBar& b) {
-  return std::max({std::abs(a.input_center - b.input_center), std::abs(a.input_circle - b.input_circle),
-                   std::abs(a.output_center - b.output_center), std::abs(a.output_circle - b.output_circle)});
+  return std::max({std::abs(a.input_fixed - b.input_fixed), std::abs(a.input_moving - b.input_moving),
+                   std::abs(a.output_fixed - b.output_fixed), std::abs(a.output_moving - b.output_moving)});
 }
 
 TEST(SolveMotion, LinkagesAreDistinctAndAppearOnceWhicheverSideDrives) {
@@ -327,7 +327,7 @@ TEST(SolveMotion, SameInputSameOutput) {
                      b = solved(tailgate_task(), tailgate_requirements(), one_thread);
   ASSERT_EQ(a.linkages.size(), b.linkages.size());
   for (std::size_t i = 0; i < a.linkages.size(); ++i) {
-    EXPECT_EQ(a.linkages[i].four_bar.input_center, b.linkages[i].four_bar.input_center);
+    EXPECT_EQ(a.linkages[i].four_bar.input_fixed, b.linkages[i].four_bar.input_fixed);
     EXPECT_EQ(a.linkages[i].input.coordinate, b.linkages[i].input.coordinate);
   }
 }
@@ -361,13 +361,13 @@ TEST(SolveMotion, KeepsADirectionOfTravel) {
     EXPECT_LT(*found.residual_derivatives, 1e-14);
     // The instant centre, where the grounded links meet, is the one that was prescribed: (250, 0).
     const FourBar& bars = found.four_bar;
-    const Point a = bars.input_circle - bars.input_center, b = bars.output_circle - bars.output_center;
-    const Point gap = bars.output_center - bars.input_center;
-    const Point meet = bars.input_center + cross(gap, b) / cross(a, b) * a;
+    const Point a = bars.input_moving - bars.input_fixed, b = bars.output_moving - bars.output_fixed;
+    const Point gap = bars.output_fixed - bars.input_fixed;
+    const Point meet = bars.input_fixed + cross(gap, b) / cross(a, b) * a;
     EXPECT_NEAR(std::abs(meet - Point{250, 0}), 0, 1e-9 * 250);
     // Driven a little in its sense, the edge sets off upwards.
     const double sense = found.report.sense == DriveSense::cw ? -1 : 1;
-    EXPECT_GT(sense * cross(a, Point{0, -0.004} * (bars.input_circle - Point{250, 0})), 0);
+    EXPECT_GT(sense * cross(a, Point{0, -0.004} * (bars.input_moving - Point{250, 0})), 0);
   }
 }
 
@@ -484,8 +484,8 @@ TEST_F(SolveAtAPlace, ListsTheLinkageThereAndNothingElse) {
   const MapPoint place = best.point_of(best.linkages.at(3));
   const MotionAnswer picked = at(place);
   ASSERT_EQ(picked.linkages.size(), 1u);
-  EXPECT_EQ(picked.linkages[0].four_bar.input_circle, best.linkages[3].four_bar.input_circle);
-  EXPECT_EQ(picked.linkages[0].four_bar.output_center, best.linkages[3].four_bar.output_center);
+  EXPECT_EQ(picked.linkages[0].four_bar.input_moving, best.linkages[3].four_bar.input_moving);
+  EXPECT_EQ(picked.linkages[0].four_bar.output_fixed, best.linkages[3].four_bar.output_fixed);
   EXPECT_TRUE(picked.linkages[0].verified_by_driving);
   EXPECT_EQ(picked.fails, (std::vector<std::vector<RequirementKind>>{{}}));
   EXPECT_EQ(picked.status, SolutionStatus::solved);
@@ -545,7 +545,7 @@ TEST_F(SolveAtAPlace, OfAFunctionHasItsError) {
   options.at = best.point_of(best.linkages.back());
   const FunctionAnswer picked = solved(task, {}, options);
   ASSERT_EQ(picked.linkages.size(), 1u);
-  EXPECT_EQ(picked.linkages[0].four_bar.output_circle, best.linkages.back().four_bar.output_circle);
+  EXPECT_EQ(picked.linkages[0].four_bar.output_moving, best.linkages.back().four_bar.output_moving);
   EXPECT_TRUE(picked.linkages[0].function);
 }
 

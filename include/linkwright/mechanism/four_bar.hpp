@@ -21,25 +21,25 @@ struct LinkLengths {
 };
 
 /// A planar four-bar as it lies in position 1, fixed frame: the input (driving) grounded link turns about
-/// `input_center` and carries `input_circle`; the output link likewise; the coupler joins the two circle points.
+/// `input_fixed` and carries `input_moving`; the output link likewise; the coupler joins the two circle points.
 struct FourBar {
-  Point input_center{}, input_circle{}, output_center{}, output_circle{};
+  Point input_fixed{}, input_moving{}, output_fixed{}, output_moving{};
 
   /// Distances of the pivots, user's unit.
   [[nodiscard]] LinkLengths lengths() const {
-    return {std::abs(output_center - input_center), std::abs(input_circle - input_center),
-            std::abs(output_circle - input_circle), std::abs(output_circle - output_center)};
+    return {std::abs(output_fixed - input_fixed), std::abs(input_moving - input_fixed),
+            std::abs(output_moving - input_moving), std::abs(output_moving - output_fixed)};
   }
   /// The same bars driven from the other grounded link.
-  [[nodiscard]] FourBar swapped() const { return {output_center, output_circle, input_center, input_circle}; }
+  [[nodiscard]] FourBar swapped() const { return {output_fixed, output_moving, input_fixed, input_moving}; }
 };
 
 /// Largest distance between the pivots of two four-bars, the grounded links named whichever way is nearer.
 [[nodiscard]] inline double farthest_pivot(const FourBar& a, const FourBar& b) {
   const auto farthest = [](const FourBar& one, const FourBar& other) {
-    return std::max({std::abs(one.input_center - other.input_center), std::abs(one.input_circle - other.input_circle),
-                     std::abs(one.output_center - other.output_center),
-                     std::abs(one.output_circle - other.output_circle)});
+    return std::max({std::abs(one.input_fixed - other.input_fixed), std::abs(one.input_moving - other.input_moving),
+                     std::abs(one.output_fixed - other.output_fixed),
+                     std::abs(one.output_moving - other.output_moving)});
   };
   return std::min(farthest(a, b), farthest(a, b.swapped()));
 }
@@ -77,17 +77,17 @@ struct TracingFourBar {
   /// Of the four links and of both arms of the point, which have to be built as well.
   [[nodiscard]] double longest() const {
     return std::max(
-        {bars.lengths().longest(), std::abs(point - bars.input_circle), std::abs(point - bars.output_circle)});
+        {bars.lengths().longest(), std::abs(point - bars.input_moving), std::abs(point - bars.output_moving)});
   }
   /// Of the same.
   [[nodiscard]] double shortest() const {
     return std::min(
-        {bars.lengths().shortest(), std::abs(point - bars.input_circle), std::abs(point - bars.output_circle)});
+        {bars.lengths().shortest(), std::abs(point - bars.input_moving), std::abs(point - bars.output_moving)});
   }
   /// The same with its links as `there`, the point carried along by the coupler.
   [[nodiscard]] TracingFourBar moved_to(const FourBar& there) const {
     const auto coupler = [](const FourBar& at) {
-      return Pose{at.input_circle, std::arg(at.output_circle - at.input_circle)};
+      return Pose{at.input_moving, std::arg(at.output_moving - at.input_moving)};
     };
     return {there, displaced(point, coupler(bars), coupler(there))};
   }

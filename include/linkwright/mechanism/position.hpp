@@ -7,16 +7,16 @@
 
 namespace linkwright {
 
-/// How the coupler and the output link are joined: sign of cross(input_circle − output_circle,
-/// output_center − output_circle), the joint sign at the output's moving pivot, constant between dead points.
+/// How the coupler and the output link are joined: sign of cross(input_moving − output_moving,
+/// output_fixed − output_moving), the joint sign at the output's moving pivot, constant between dead points.
 enum class Assembly : signed char { negative = -1, positive = +1 };
 [[nodiscard]] inline Assembly opposite(Assembly assembly) {
   return assembly == Assembly::positive ? Assembly::negative : Assembly::positive;
 }
 
 /// Configuration of a four-bar in its own frame: input centre at 0, output centre at (ground, 0);
-/// angles in radians from the frame's axis, of input_center→input_circle, input_circle→output_circle,
-/// output_center→output_circle.
+/// angles in radians from the frame's axis, of input_fixed→input_moving, input_moving→output_moving,
+/// output_fixed→output_moving.
 struct Configuration {
   double input_angle = 0, coupler_angle = 0, output_angle = 0;
 };

@@ -52,8 +52,8 @@ struct StraightLineSolution {
   [[nodiscard]] const StrokeReport& judged() const { return stroke ? *stroke : over_usable; }
   [[nodiscard]] LineWorth worth() const;
   /// Distances of the point from the moving pivots.
-  [[nodiscard]] double point_to_input() const { return std::abs(linkage.point - linkage.bars.input_circle); }
-  [[nodiscard]] double point_to_output() const { return std::abs(linkage.point - linkage.bars.output_circle); }
+  [[nodiscard]] double point_to_input() const { return std::abs(linkage.point - linkage.bars.input_moving); }
+  [[nodiscard]] double point_to_output() const { return std::abs(linkage.point - linkage.bars.output_moving); }
 };
 
 /// The linkage at a place of a map, measured exactly. Nothing where there is none, all its links lie in one line, or

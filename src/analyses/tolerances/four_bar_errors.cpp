@@ -56,8 +56,8 @@ CellMeasure::Rows four_bar_errors(std::shared_ptr<const FourBarCells> links, con
       const std::size_t count = std::min(size, values.size() - first);
       for (std::size_t lane = 0; lane < size; ++lane) {
         const auto [input, output] = links->at(row, first + std::min(lane, count - 1));
-        put(input, links->positions(), lane, block.input_center, block.input_circle);
-        put(output, links->positions(), lane, block.output_center, block.output_circle);
+        put(input, links->positions(), lane, block.input_fixed, block.input_moving);
+        put(output, links->positions(), lane, block.output_fixed, block.output_moving);
       }
       tolerance_error_kernel.for_simd(Simd::automatic)(block);
       for (std::size_t lane = 0; lane < count; ++lane) {

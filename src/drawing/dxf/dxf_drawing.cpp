@@ -21,16 +21,16 @@ double drawn_pin_radius(const LinkLengths& lengths) {
 }
 
 void draw_ground(DxfWriter& dxf, const FourBar& bars, double radius) {
-  for (const Point pivot : {bars.input_center, bars.output_center}) draw_ground_pivot(dxf, ground, pivot, radius);
-  dxf.line(ground, bars.input_center, bars.output_center);
+  for (const Point pivot : {bars.input_fixed, bars.output_fixed}) draw_ground_pivot(dxf, ground, pivot, radius);
+  dxf.line(ground, bars.input_fixed, bars.output_fixed);
 }
 
 /// The coupler; with a point, the triangle that carries it.
 void draw_coupler(DxfWriter& dxf, const StoredLinkage& linkage, double radius) {
   const FourBar& bars = linkage.four_bar;
-  draw_link(dxf, coupler, bars.input_circle, bars.output_circle, radius);
+  draw_link(dxf, coupler, bars.input_moving, bars.output_moving, radius);
   if (!linkage.point) return;
-  const std::array<Point, 3> corners = {bars.input_circle, bars.output_circle, *linkage.point};
+  const std::array<Point, 3> corners = {bars.input_moving, bars.output_moving, *linkage.point};
   dxf.polyline(coupler, corners, true);
   dxf.circle(coupler, *linkage.point, radius);
 }
@@ -41,7 +41,7 @@ void draw_positions(DxfWriter& dxf, const StoredLinkage& linkage, double frame_s
     draw_frame(dxf, positions, linkage.poses[pose].pose, pose + 1, frame_size);
     if (pose == 0) continue;
     const FourBar& bars = as_it_moves[pose];
-    const std::array<Point, 4> links = {bars.input_center, bars.input_circle, bars.output_circle, bars.output_center};
+    const std::array<Point, 4> links = {bars.input_fixed, bars.input_moving, bars.output_moving, bars.output_fixed};
     dxf.polyline(positions, links, false);
   }
 }
@@ -61,9 +61,9 @@ std::string draw_dxf(const StoredLinkage& linkage) {
   const LinkLengths lengths = bars.lengths();
   const double radius = drawn_pin_radius(lengths);
   draw_ground(dxf, bars, radius);
-  draw_link(dxf, input, bars.input_center, bars.input_circle, radius);
+  draw_link(dxf, input, bars.input_fixed, bars.input_moving, radius);
   draw_coupler(dxf, linkage, radius);
-  draw_link(dxf, output, bars.output_center, bars.output_circle, radius);
+  draw_link(dxf, output, bars.output_fixed, bars.output_moving, radius);
   draw_positions(dxf, linkage, 0.12 * lengths.longest());
   draw_coupler_curve(dxf, linkage);
   return dxf.file();

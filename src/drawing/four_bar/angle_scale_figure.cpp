@@ -38,9 +38,9 @@ AngleScale angle_scale_of(Point pivot, Point end, const std::vector<AnglePair>& 
 
 std::array<AngleScale, 2> angle_scales_of(const FourBar& bars, const FunctionTask& task) {
   const NamedFunction* function = task.function ? &*task.function : nullptr;
-  return {angle_scale_of(bars.input_center, bars.input_circle, task.pairs, &AnglePair::input,
+  return {angle_scale_of(bars.input_fixed, bars.input_moving, task.pairs, &AnglePair::input,
                          function ? &function->input_range : nullptr, palette::input),
-          angle_scale_of(bars.output_center, bars.output_circle, task.pairs, &AnglePair::output,
+          angle_scale_of(bars.output_fixed, bars.output_moving, task.pairs, &AnglePair::output,
                          function ? &function->output_range : nullptr, palette::output)};
 }
 

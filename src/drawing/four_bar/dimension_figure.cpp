@@ -91,13 +91,12 @@ class DimensionPlacer {
 void draw_dimensions(SvgCanvas& svg, const PlaneWindow& window, const FourBar& four_bar) {
   const LinkLengths lengths = four_bar.lengths();
   const int decimals = length_decimals(lengths.longest());
-  const Point input_center = window.to_px(four_bar.input_center), input_circle = window.to_px(four_bar.input_circle);
-  const Point output_center = window.to_px(four_bar.output_center),
-              output_circle = window.to_px(four_bar.output_circle);
-  const std::vector<Bar> bars = {{input_center, output_center, lengths.ground, palette::ink3},
-                                 {input_center, input_circle, lengths.input, palette::input},
-                                 {input_circle, output_circle, lengths.coupler, palette::body},
-                                 {output_center, output_circle, lengths.output, palette::output}};
+  const Point input_fixed = window.to_px(four_bar.input_fixed), input_moving = window.to_px(four_bar.input_moving);
+  const Point output_fixed = window.to_px(four_bar.output_fixed), output_moving = window.to_px(four_bar.output_moving);
+  const std::vector<Bar> bars = {{input_fixed, output_fixed, lengths.ground, palette::ink3},
+                                 {input_fixed, input_moving, lengths.input, palette::input},
+                                 {input_moving, output_moving, lengths.coupler, palette::body},
+                                 {output_fixed, output_moving, lengths.output, palette::output}};
   DimensionPlacer placer(bars);
   for (std::size_t i = 0; i < bars.size(); ++i) {
     const std::string text = rounded_text(bars[i].length, decimals);

@@ -18,9 +18,9 @@ constexpr PixelBox strip{linkage_sheet::border, 672, linkage_sheet::width - 2 * 
 
 std::vector<Point> points_of_interest(const StoredLinkage& linkage) {
   const FourBar& bars = linkage.four_bar;
-  std::vector<Point> points = {bars.input_center, bars.input_circle, bars.output_center, bars.output_circle};
+  std::vector<Point> points = {bars.input_fixed, bars.input_moving, bars.output_fixed, bars.output_moving};
   for (const FourBar& there : in_positions(linkage))
-    points.insert(points.end(), {there.input_circle, there.output_circle});
+    points.insert(points.end(), {there.input_moving, there.output_moving});
   for (const PrescribedPose& pose : linkage.poses) points.push_back(pose.pose.origin);
   if (linkage.poses.empty()) {
     for (const Point p : path_of_cycle(bars, traced_point(linkage))) points.push_back(p);
@@ -29,7 +29,7 @@ std::vector<Point> points_of_interest(const StoredLinkage& linkage) {
 }
 
 void draw_ground_line(SvgCanvas& svg, const PlaneWindow& window, const FourBar& bars) {
-  svg.line(window.to_px(bars.input_center), window.to_px(bars.output_center), stroke(palette::ink3, 1, "9 3 2 3"));
+  svg.line(window.to_px(bars.input_fixed), window.to_px(bars.output_fixed), stroke(palette::ink3, 1, "9 3 2 3"));
 }
 
 void draw_positions(SvgCanvas& svg, const PlaneWindow& window, const StoredLinkage& linkage) {
@@ -83,8 +83,8 @@ void draw_arm_rows(SvgCanvas& svg, Point corner, const TracingFourBar& linkage) 
   const auto text = [&](double value) { return rounded_text(value, decimals); };
   NumberRows rows(svg, corner, 210);
   rows.row("point C", text(linkage.point.real()) + ", " + text(linkage.point.imag()));
-  rows.row("C to input pin", text(std::abs(linkage.point - linkage.bars.input_circle)), palette::input);
-  rows.row("C to output pin", text(std::abs(linkage.point - linkage.bars.output_circle)), palette::output);
+  rows.row("C to input pin", text(std::abs(linkage.point - linkage.bars.input_moving)), palette::input);
+  rows.row("C to output pin", text(std::abs(linkage.point - linkage.bars.output_moving)), palette::output);
 }
 
 }  // namespace

@@ -108,41 +108,39 @@ void draw_traced_path(SvgCanvas& svg, const PlaneWindow& window, std::span<const
 }
 
 void draw_ghost(SvgCanvas& svg, const PlaneWindow& window, const FourBar& four_bar) {
-  const Point input_center = window.to_px(four_bar.input_center), input_circle = window.to_px(four_bar.input_circle);
-  const Point output_center = window.to_px(four_bar.output_center),
-              output_circle = window.to_px(four_bar.output_circle);
+  const Point input_fixed = window.to_px(four_bar.input_fixed), input_moving = window.to_px(four_bar.input_moving);
+  const Point output_fixed = window.to_px(four_bar.output_fixed), output_moving = window.to_px(four_bar.output_moving);
   svg.begin_group("stroke-opacity=\"0.45\" stroke-linecap=\"round\"");
-  svg.line(input_center, input_circle, stroke(palette::input, 1.2));
-  svg.line(output_center, output_circle, stroke(palette::output, 1.2));
-  svg.line(input_circle, output_circle, stroke(palette::body, 1.2));
-  svg.circle(input_circle, 2.2, fill(palette::input));
-  svg.circle(output_circle, 2.2, fill(palette::output));
+  svg.line(input_fixed, input_moving, stroke(palette::input, 1.2));
+  svg.line(output_fixed, output_moving, stroke(palette::output, 1.2));
+  svg.line(input_moving, output_moving, stroke(palette::body, 1.2));
+  svg.circle(input_moving, 2.2, fill(palette::input));
+  svg.circle(output_moving, 2.2, fill(palette::output));
   svg.end_group();
 }
 
 void draw_body(SvgCanvas& svg, const PlaneWindow& window, const FourBar& four_bar, Point frame_origin) {
-  const std::array<Point, 3> corners = {window.to_px(four_bar.input_circle), window.to_px(four_bar.output_circle),
+  const std::array<Point, 3> corners = {window.to_px(four_bar.input_moving), window.to_px(four_bar.output_moving),
                                         window.to_px(frame_origin)};
   svg.polygon(corners, fill(palette::body, 0.1) + " " + stroke(palette::body, 1.2) +
                            " stroke-opacity=\"0.6\" stroke-linejoin=\"round\"");
 }
 
 void draw_bars(SvgCanvas& svg, const PlaneWindow& window, const FourBar& four_bar) {
-  const Point input_center = window.to_px(four_bar.input_center), input_circle = window.to_px(four_bar.input_circle);
-  const Point output_center = window.to_px(four_bar.output_center),
-              output_circle = window.to_px(four_bar.output_circle);
-  draw_ground_symbol(svg, input_center);
-  draw_ground_symbol(svg, output_center);
-  draw_link(svg, input_circle, output_circle, palette::body);
-  draw_link(svg, output_center, output_circle, palette::output);
-  draw_link(svg, input_center, input_circle, palette::input);
+  const Point input_fixed = window.to_px(four_bar.input_fixed), input_moving = window.to_px(four_bar.input_moving);
+  const Point output_fixed = window.to_px(four_bar.output_fixed), output_moving = window.to_px(four_bar.output_moving);
+  draw_ground_symbol(svg, input_fixed);
+  draw_ground_symbol(svg, output_fixed);
+  draw_link(svg, input_moving, output_moving, palette::body);
+  draw_link(svg, output_fixed, output_moving, palette::output);
+  draw_link(svg, input_fixed, input_moving, palette::input);
 }
 
 void draw_pins(SvgCanvas& svg, const PlaneWindow& window, const FourBar& four_bar) {
-  draw_pin(svg, window.to_px(four_bar.output_center), palette::output);
-  draw_pin(svg, window.to_px(four_bar.output_circle), palette::output);
-  draw_pin(svg, window.to_px(four_bar.input_center), palette::input);
-  draw_pin(svg, window.to_px(four_bar.input_circle), palette::input);
+  draw_pin(svg, window.to_px(four_bar.output_fixed), palette::output);
+  draw_pin(svg, window.to_px(four_bar.output_moving), palette::output);
+  draw_pin(svg, window.to_px(four_bar.input_fixed), palette::input);
+  draw_pin(svg, window.to_px(four_bar.input_moving), palette::input);
 }
 
 void draw_direction(SvgCanvas& svg, const PlaneWindow& window, const PrescribedPose& pose) {

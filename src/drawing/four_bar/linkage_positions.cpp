@@ -35,8 +35,8 @@ std::vector<Point> traced_points(std::span<const MotionState> motion) {
 FourBar in_pose(const FourBar& four_bar, std::span<const PrescribedPose> poses, std::size_t pose) {
   FourBar bars = four_bar;
   const Pose &from = poses.front().pose, &to = poses[pose].pose;
-  bars.input_circle = displaced(bars.input_circle, from, to);
-  bars.output_circle = displaced(bars.output_circle, from, to);
+  bars.input_moving = displaced(bars.input_moving, from, to);
+  bars.output_moving = displaced(bars.output_moving, from, to);
   return bars;
 }
 

@@ -79,10 +79,10 @@ void draw_pivot_rows(SvgCanvas& svg, Point corner, double width, const FourBar& 
   const int decimals = length_decimals(four_bar.lengths().longest());
   const std::string moving = fmt::format("its moving pivot, position {}", position);
   NumberRows rows(svg, corner, width);
-  rows.row("fixed pivot of the input", pivot_text(four_bar.input_center, decimals), palette::input);
-  rows.row(moving, pivot_text(four_bar.input_circle, decimals), palette::input);
-  rows.row("fixed pivot of the output", pivot_text(four_bar.output_center, decimals), palette::output);
-  rows.row(moving, pivot_text(four_bar.output_circle, decimals), palette::output);
+  rows.row("fixed pivot of the input", pivot_text(four_bar.input_fixed, decimals), palette::input);
+  rows.row(moving, pivot_text(four_bar.input_moving, decimals), palette::input);
+  rows.row("fixed pivot of the output", pivot_text(four_bar.output_fixed, decimals), palette::output);
+  rows.row(moving, pivot_text(four_bar.output_moving, decimals), palette::output);
 }
 
 namespace {

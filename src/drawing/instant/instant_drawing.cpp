@@ -102,7 +102,7 @@ void end_scene(SvgCanvas& svg, const PlaneWindow& window, const InstantAnalysis&
 }
 
 void draw_scene(SvgCanvas& svg, const FourBar& bars, const InstantAnalysis& analysis, std::string_view unit) {
-  std::vector<Point> pivots = {bars.input_center, bars.input_circle, bars.output_center, bars.output_circle};
+  std::vector<Point> pivots = {bars.input_fixed, bars.input_moving, bars.output_fixed, bars.output_moving};
   if (analysis.point) pivots.push_back(analysis.point->point);
   const PlaneWindow window = window_of(pivots, analysis);
   svg.begin_clip(instant_scene.corner(), instant_scene.width, instant_scene.height);

@@ -45,7 +45,7 @@ void draw_tracing_ghost(SvgCanvas& svg, const PlaneWindow& window, const Tracing
   draw_ghost(svg, window, linkage.bars);
   const Point point = window.to_px(linkage.point);
   svg.begin_group("stroke-opacity=\"0.45\"");
-  for (const Point pin : {linkage.bars.input_circle, linkage.bars.output_circle})
+  for (const Point pin : {linkage.bars.input_moving, linkage.bars.output_moving})
     svg.line(window.to_px(pin), point, stroke(palette::body, 1.2));
   svg.circle(point, 2.6, fill(palette::accent));
   svg.end_group();
@@ -59,7 +59,7 @@ void draw_path(SvgCanvas& svg, const PlaneWindow& window, std::span<const Point>
 
 std::array<Point, 5> joints_of(const TracingFourBar& linkage) {
   const FourBar& bars = linkage.bars;
-  return {bars.input_center, bars.input_circle, bars.output_circle, bars.output_center, linkage.point};
+  return {bars.input_fixed, bars.input_moving, bars.output_moving, bars.output_fixed, linkage.point};
 }
 
 }  // namespace
@@ -123,7 +123,7 @@ void draw_tracing_linkage(SvgCanvas& svg, const PlaneWindow& window, const LineS
   std::vector<Point> taken;
   for (const Point joint : joints_of(scene.linkage)) taken.push_back(window.to_px(joint));
   constexpr Point ground_symbol{0, 14};
-  for (const Point center : {bars.input_center, bars.output_center})
+  for (const Point center : {bars.input_fixed, bars.output_fixed})
     taken.push_back(window.to_px(center) + ground_symbol);
   // Names keep off the line.
   for (const double px : {-34.0, -17.0, 17.0, 34.0})
@@ -134,10 +134,10 @@ void draw_tracing_linkage(SvgCanvas& svg, const PlaneWindow& window, const LineS
   if (scene.instant.instant)
     if (const auto pole = pole_of(*scene.instant.instant)) marks.add(*pole, "P", palette::link_5);
   marks.add(point, "C", palette::ink);
-  marks.name_only(bars.input_center, "A₀", palette::input);
-  marks.name_only(bars.input_circle, "A", palette::input);
-  marks.name_only(bars.output_center, "B₀", palette::output);
-  marks.name_only(bars.output_circle, "B", palette::output);
+  marks.name_only(bars.input_fixed, "A₀", palette::input);
+  marks.name_only(bars.input_moving, "A", palette::input);
+  marks.name_only(bars.output_fixed, "B₀", palette::output);
+  marks.name_only(bars.output_moving, "B", palette::output);
   marks.name();
 }
 

@@ -38,8 +38,8 @@ constexpr double row_step = radians(1), undefined = std::numeric_limits<double>:
 void put_row(std::vector<double>& values, const CycleState& state) {
   const FourBar& bars = state.four_bar;
   values.insert(values.end(), {degrees(state.turn), degrees(state.input_angle), degrees(state.coupler_angle),
-                               degrees(state.output_angle), bars.input_circle.real(), bars.input_circle.imag(),
-                               bars.output_circle.real(), bars.output_circle.imag(), state.body.origin.real(),
+                               degrees(state.output_angle), bars.input_moving.real(), bars.input_moving.imag(),
+                               bars.output_moving.real(), bars.output_moving.imag(), state.body.origin.real(),
                                state.body.origin.imag(), degrees(state.body.angle), degrees(state.transmission_angle)});
   if (state.rates)
     values.insert(values.end(), {state.rates->coupler, state.rates->output, state.rates->coupler_acceleration,
@@ -75,12 +75,12 @@ std::vector<CycleState> tabulated_cycle(const StoredLinkage& linkage) {
 
 std::vector<PrescribedPose> framed_poses(const StoredLinkage& linkage) {
   if (!linkage.poses.empty()) return linkage.poses;
-  return {{{linkage.four_bar.input_circle, 0}, {}}};
+  return {{{linkage.four_bar.input_moving, 0}, {}}};
 }
 
 Point traced_point(const StoredLinkage& linkage) {
   if (linkage.point) return *linkage.point;
-  return linkage.poses.empty() ? linkage.four_bar.input_circle : linkage.poses.front().pose.origin;
+  return linkage.poses.empty() ? linkage.four_bar.input_moving : linkage.poses.front().pose.origin;
 }
 
 std::string csv_text(const MotionTable& table) {

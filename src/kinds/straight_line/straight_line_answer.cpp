@@ -20,7 +20,7 @@ StraightLineRecord record_of(const StraightLineSolution& found, const StraightLi
 }
 
 PrescribedPose pose_of(const TracingFourBar& linkage) {
-  return {{linkage.point, std::arg(linkage.bars.output_circle - linkage.bars.input_circle)}, {}};
+  return {{linkage.point, std::arg(linkage.bars.output_moving - linkage.bars.input_moving)}, {}};
 }
 
 }  // namespace

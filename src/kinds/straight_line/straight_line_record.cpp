@@ -61,8 +61,8 @@ void lengths_field(FieldVisitor& v, const TracingFourBar& linkage) {
       to.shown("input", lengths.input, bar);
       to.shown("coupler", lengths.coupler, bar);
       to.shown("output", lengths.output, bar);
-      to.shown("point_to_input", std::abs(linkage.point - linkage.bars.input_circle), bar);
-      to.shown("point_to_output", std::abs(linkage.point - linkage.bars.output_circle), bar);
+      to.shown("point_to_input", std::abs(linkage.point - linkage.bars.input_moving), bar);
+      to.shown("point_to_output", std::abs(linkage.point - linkage.bars.output_moving), bar);
     });
   });
 }

@@ -39,9 +39,8 @@ LinkPolygon links_along(const StraightLineAnswer& known, Side side) {
     if (design.kind != DesignKind::four_bar) continue;
     const FourBar& bars = design.linkage.bars;
     const auto homogeneous = [](Point p) { return Homogeneous{1, p.real(), p.imag()}; };
-    links.push_back(side == Side::input
-                        ? Dyad{homogeneous(bars.input_center), homogeneous(bars.input_circle), place}
-                        : Dyad{homogeneous(bars.output_center), homogeneous(bars.output_circle), place});
+    links.push_back(side == Side::input ? Dyad{homogeneous(bars.input_fixed), homogeneous(bars.input_moving), place}
+                                        : Dyad{homogeneous(bars.output_fixed), homogeneous(bars.output_moving), place});
   }
   append_links(polygon, links, known.lines->axis(Side::input).branches, {});
   return polygon;
