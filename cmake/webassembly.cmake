@@ -35,11 +35,12 @@ list(APPEND linkwright_not_in_webassembly ${linkwright_outline_sources})
 file(GLOB linkwright_sweep_sources RELATIVE "${PROJECT_SOURCE_DIR}" src/sweep/*.cpp)
 list(APPEND linkwright_not_in_webassembly ${linkwright_sweep_sources})
 
-# The sources of a folder of a target are compiled for their size: they are soon run, and a visit waits for all of them.
-function(linkwright_make_small target folder)
+# Sources of a target, in a folder and named like that, are compiled for their size: they are soon run, and a visit waits
+# for all of them.
+function(linkwright_make_small target folder named)
   get_target_property(sources ${target} SOURCES)
   set(small ${sources})
-  list(FILTER small INCLUDE REGEX "^src/${folder}/.*\\.cpp$")
+  list(FILTER small INCLUDE REGEX "^src/${folder}/.*${named}\\.cpp$")
   list(REMOVE_ITEM sources ${small})
   set_target_properties(${target} PROPERTIES SOURCES "${sources}")
   add_library(${target}_${folder} OBJECT ${small})

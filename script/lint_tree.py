@@ -98,7 +98,7 @@ def public_header_problem(quoted, included):
 
 
 def file_violations(root, base, file):
-    folder, kind = file.relative_to(root / base).parts[:2]
+    folder, kind = (*file.relative_to(root / base).parts, "")[:2]
     place = file.relative_to(root)
     if folder not in RANK_OF:
         yield f"{place}: the library has no folder {folder}; its folders and their order are in script/lint_tree.py"
@@ -178,6 +178,7 @@ def self_test():
         ({"src/core/a.cpp": '#include "../files/b.hpp"\n'}, ["without .."]),
         ({"src/core/a.cpp": '#include "apps/b.hpp"\n'}, ["no folder of the library is called apps"]),
         ({"src/utils/a.cpp": ""}, ["src/utils/a.cpp: the library has no folder utils"]),
+        ({"src/a.cpp": ""}, ["src/a.cpp: the library has no folder a.cpp"]),
         (tested | {header.format("core/angle"): "#include <Eigen/Core>\n"}, ["angle.hpp:1: <Eigen/Core>"]),
         ({"web/src/drawing/snapping.test.ts": "", "web/src/Linkage.svelte": "", "web/src/state/a.svelte.ts": ""}, []),
         ({"web/src/MyModule.ts": "", "web/src/view.svelte": "", "apps/cli/textTable.cpp": ""},

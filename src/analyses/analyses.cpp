@@ -6,8 +6,10 @@ namespace linkwright {
 
 void analysis_fields(FieldVisitor& v, SynthesisOptions& options) { v.optional("tolerances", options.tolerances); }
 
-AddedMeasures added_measures(const LinkageFamily& family, const SynthesisOptions& options) {
-  return options.tolerances ? tolerance_measures(family, *options.tolerances) : AddedMeasures{};
+bool analyze_alike(const SynthesisOptions& a, const SynthesisOptions& b) { return a.tolerances == b.tolerances; }
+
+AddedMeasures added_measures(const LinkageFamily& family, const SynthesisOptions& options, bool with_sampled) {
+  return options.tolerances ? tolerance_measures(family, *options.tolerances, with_sampled) : AddedMeasures{};
 }
 
 void report_analyses(Answer& answer, const Progress& progress) {

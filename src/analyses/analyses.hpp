@@ -17,8 +17,12 @@ namespace linkwright {
 /// The blocks beside the task in a problem file.
 void analysis_fields(FieldVisitor& v, SynthesisOptions& options);
 
-/// What the options ask of the linkages of a map, which must outlive it.
-[[nodiscard]] AddedMeasures added_measures(const LinkageFamily& family, const SynthesisOptions& options);
+/// Whether the blocks say the same.
+[[nodiscard]] bool analyze_alike(const SynthesisOptions& a, const SynthesisOptions& b);
+
+/// What the options ask of the linkages of a map, which must outlive it; `with_sampled` what is sampled, too.
+[[nodiscard]] AddedMeasures added_measures(const LinkageFamily& family, const SynthesisOptions& options,
+                                           bool with_sampled = true);
 
 /// Of the linkages listed; those that do not meet by it what is required are left out. Cancelled: of those reached.
 void report_analyses(Answer& answer, const Progress& progress = {});

@@ -9,13 +9,15 @@
 #include "linkwright/core/precondition.hpp"
 #include "linkwright/core/tolerance.hpp"
 #include "linkwright/mechanism/driver_sequence.hpp"
-#include "triangle.hpp"
+#include "mechanism/triangle.hpp"
 
 #define LINKWRIGHT_ISA isa_single
-#include "pair_verdict.hpp"
+#include "mechanism/pair_verdict.hpp"
 
 namespace linkwright {
 namespace {
+
+static_assert(isa_single::ccw_bit == DriverSequence::ccw_bit && isa_single::cw_bit == DriverSequence::cw_bit);
 
 constexpr std::array<std::string_view, 4> sense_names = {"", "ccw", "cw", "either"};
 

@@ -6,7 +6,7 @@
 // Neighbours on a map mostly share their fate, so what no lane of a pack asks for is left out; what is left out never
 // shows in the verdict.
 
-#include "driver_travel.hpp"
+#include "mechanism/driver_travel.hpp"
 
 namespace linkwright::LINKWRIGHT_ISA {
 

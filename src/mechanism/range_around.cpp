@@ -8,7 +8,7 @@
 namespace linkwright {
 
 AngleRange range_around(const std::vector<AngleRange>& ranges, double angle) {
-  AngleRange best = ranges.front();
+  AngleRange best = {angle, angle};
   double best_distance = two_pi;
   for (const AngleRange& range : ranges) {
     const double middle = (range.from + range.to) / 2, half = (range.to - range.from) / 2;

@@ -9,13 +9,16 @@
 #include "linkwright/core/precondition.hpp"
 #include "linkwright/core/tolerance.hpp"
 #include "linkwright/mechanism/spherical_position.hpp"
-#include "spherical_triangle.hpp"
+#include "mechanism/spherical_triangle.hpp"
 
 #define LINKWRIGHT_ISA isa_single_spherical
-#include "spherical_verdict.hpp"
+#include "mechanism/spherical_verdict.hpp"
 
 namespace linkwright {
 namespace {
+
+static_assert(isa_single_spherical::ccw_bit == DriverSequence::ccw_bit &&
+              isa_single_spherical::cw_bit == DriverSequence::cw_bit);
 
 // A grounded link at each orientation.
 struct TurnedLink {

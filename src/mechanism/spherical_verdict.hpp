@@ -2,9 +2,9 @@
 
 // The verdict over one pair of grounded links of a spherical four-bar, or several at once: type, defects and what ranks
 // it, by sign tests alone (docs/theory/spherical.md). One source for find_defects (one pair) and for the region kernels
-// (packs), as analysis/pair_verdict.hpp is for planar ones.
+// (packs), as pair_verdict.hpp is for planar ones.
 
-#include "driver_travel.hpp"
+#include "mechanism/driver_travel.hpp"
 
 namespace linkwright::LINKWRIGHT_ISA {
 
@@ -128,7 +128,7 @@ LINKWRIGHT_INLINE unsigned long long spherical_type_codes(const SphericalSigns& 
   return bytes<Width>(bit_0) | bytes<Width>(bit_1) << 1 | bytes<Width>(bit_3) << 3;
 }
 
-/// The joint that tells the circuits apart: as in the plane (analysis/pair_verdict.hpp).
+/// The joint that tells the circuits apart: as in the plane (pair_verdict.hpp).
 template <int Width, int Poses, int Count>
 LINKWRIGHT_INLINE LostWays lost_ways(const SphericalPairs<Width, Poses, Count>& pairs, const SphericalSigns& s) {
   const Mask output_changes = changes_sign<Width, Poses>([&](int j) { return pairs.at_output_moving(j); });

@@ -99,10 +99,9 @@ std::vector<RequirementKind> AddedMeasures::failures_at(MapPoint place, const Re
 std::optional<double> AddedMeasures::passing(const AddedMeasure& added, MapPoint place, const Requirements& wanted) {
   const auto measured = added.measure->at(place);
   if (!measured || !std::isfinite(*measured)) return std::nullopt;
-  for (const Criterion* asked : criteria_on(added)) {
-    const double better = asked->rule == Criterion::Rule::at_least ? added.margin : -added.margin;
-    if (asked->has_limit(wanted) && !asked->is_met_by(*measured, asked->limit(wanted) + better)) return std::nullopt;
-  }
+  for (const Criterion* asked : criteria_on(added))
+    if (asked->has_limit(wanted) && !asked->is_met_by(*measured, asked->stricter(asked->limit(wanted), added.margin)))
+      return std::nullopt;
   return measured;
 }
 

@@ -48,7 +48,7 @@ Measure shown_measure(const RegionMap& map, std::string_view key) {
 
 }  // namespace
 
-Session::Session(Problem problem) : problem_(std::move(problem)), known_(begin(problem_)) { set_tolerances(true); }
+Session::Session(Problem problem) : problem_(std::move(problem)), known_(begin(problem_)) { set_options(true); }
 Session::~Session() = default;
 Session::Session(Session&&) noexcept = default;
 Session& Session::operator=(Session&&) noexcept = default;
@@ -64,11 +64,11 @@ void Session::set(Problem problem) {
     drawn_.reset();
     mapped_.reset();
   }
-  set_tolerances(!unchanged);
+  set_options(!unchanged);
 }
 
 // Requirements and options with their defaults, and what is to be measured of the errors of dimensions.
-void Session::set_tolerances(bool task_is_new) {
+void Session::set_options(bool task_is_new) {
   std::visit(
       [&](auto& known) {
         known.requirements = with_defaults(problem_.requirements, known);
@@ -77,14 +77,14 @@ void Session::set_tolerances(bool task_is_new) {
       },
       known_);
   const SynthesisOptions& options = findings(known_).options;
-  if (!task_is_new && options.tolerances == tolerances_) return;
-  tolerances_ = options.tolerances;
+  if (!task_is_new && analyze_alike(options, analyzed_)) return;
+  analyzed_ = options;
   const AddedMeasures before = std::move(added_);
   added_ = family() ? added_measures(*family(), options) : AddedMeasures{};
   if (std::any_of(before.all.begin(), before.all.end(),
                   [&](const AddedMeasure& added) { return !added_.find(added.measure->measure()); }))
     mapped_.reset();  // its map has columns that nothing asks for any more
-  tolerances_measured_ = false;
+  added_measured_ = false;
   yields_.reset();
 }
 
@@ -126,14 +126,14 @@ void Session::classify(RegionMap& map, std::span<const double> input, std::span<
 RequirementFilter Session::filter(const RegionMap& map) const { return filter_of(*family(), map, requirements()); }
 
 // The map stays where only tolerances change; yields go by the cells that meet all else.
-void Session::measure_tolerances(bool map_is_new) {
+void Session::measure_added(bool map_is_new) {
   RegionMap& region = map_.region;
   const bool go_by_others = std::any_of(added_.all.begin(), added_.all.end(), [](const AddedMeasure& added) {
     return added.cost == AddedMeasure::Cost::heavy;
   });
-  if (!map_is_new && (!tolerances_measured_ || go_by_others))
+  if (!map_is_new && (!added_measured_ || go_by_others))
     added_.add_to(region, *family(), requirements(), without_sampled);
-  tolerances_measured_ = true;
+  added_measured_ = true;
   const AddedMeasure* sampled = added_.sampled();
   if (!sampled) return yields_.reset();
   std::vector<FailureBits> failed(region.rows() * region.columns());
@@ -221,7 +221,7 @@ const ColouredMap* Session::explore(const MapRequest& request) {
     map_.counts = map_.region.counts();
     mapped_ = wanted;
   }
-  measure_tolerances(is_new);
+  measure_added(is_new);
   evaluate(filter(map_.region));
   colour(request.property);
   return &map_;
@@ -235,7 +235,7 @@ std::optional<Notice> Session::why_nothing() const {
         const RegionCounts& counts = map_.counts;
         if (!is_whole || counts.pairs != counts.types[static_cast<std::size_t>(LinkageType::degenerate)])
           return std::nullopt;
-        return nothing_on_map(known);
+        return nothing_on_map(known, map_.region);
       },
       known_);
 }
@@ -353,9 +353,10 @@ std::optional<Answer> Session::result_at(MapPoint place) const {
 }
 
 std::optional<LinkageOutput> Session::output_at(MapPoint place) const {
-  auto output = tolerances_ && family() ? family()->output(place) : std::nullopt;
+  const auto& tolerances = analyzed_.tolerances;
+  auto output = tolerances && family() ? family()->output(place) : std::nullopt;
   if (!output) return std::nullopt;
-  return with_turning_length(*std::move(output), tolerances_->turning_length.value_or(0));
+  return with_turning_length(*std::move(output), tolerances->turning_length.value_or(0));
 }
 
 Result<Answer> Session::best(int most) const {

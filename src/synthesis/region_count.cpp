@@ -34,7 +34,7 @@ void set_margins(Findings& found, const LinkageFamily& family) {
       if (!added.margin_of || !asked->has_limit(found.requirements)) continue;
       const double limit = asked->limit(found.requirements), margin = added.margin_of(limit);
       Requirements sure = found.requirements;
-      asked->set(sure, limit + margin);
+      asked->set(sure, asked->stricter(limit, margin));
       if (margin > 0 && filter_of(family, found.region, sure).census().meeting > 0) added.margin = margin;
     }
 }

@@ -55,6 +55,25 @@ TEST(SphericalAnalysis, RockersEndAtTheirDeadPoints) {
   EXPECT_GT(rockers, 20);
 }
 
+// One arc is the sum of the others: the input cannot move, and rounding may leave it no range at all.
+TEST(SphericalAnalysis, AStretchedLinkageHasItsPlaceAsRange) {
+  int without_range = 0;
+  for (int input = 1; input <= 11; ++input)
+    for (int coupler = 1; coupler <= 11; ++coupler)
+      for (int output = 1; output <= 11; ++output) {
+        const auto axis_at = [](int steps) {
+          return Vector3{std::cos(radians(5.0 * steps)), std::sin(radians(5.0 * steps)), 0};
+        };
+        const SphericalFourBar bars{axis_at(0), axis_at(input), axis_at(input + coupler),
+                                    axis_at(input + coupler + output)};
+        without_range += input_ranges(bars.angles()).empty();
+        const SphericalAnalysis analysis = analyze(bars);
+        EXPECT_LE(analysis.input_range.from, analysis.configuration.input_angle + 1e-6);
+        EXPECT_GE(analysis.input_range.to, analysis.configuration.input_angle - 1e-6);
+      }
+  EXPECT_GT(without_range, 0);
+}
+
 // The orientations of a task that a linkage does without defects all lie on its drive, in order.
 TEST(SphericalAnalysis, MeetsTheOrientationsOfItsTask) {
   const auto wing = testing::spherical_case("folding-wing-4");

@@ -2,6 +2,8 @@
 
 #include <algorithm>
 #include <gtest/gtest.h>
+#include <optional>
+#include <string>
 
 #include "linkwright/synthesis/solve.hpp"
 #include "support/file_support.hpp"
@@ -117,6 +119,40 @@ TEST(Session, SaysWhyThereIsNoMap) {
   EXPECT_EQ(session.explore(coarse()), nullptr);
   ASSERT_TRUE(session.why_nothing());
   EXPECT_EQ(session.why_nothing()->code, "chain_wanted");
+}
+
+/// A window round a place of the map where a slider stands in place of a link; nothing without one.
+std::optional<MapWindow> window_of_sliders(const Problem& problem) {
+  const auto answer = solve(problem);
+  const RegionMap& map = findings(*answer).region;
+  const auto valid = map.values(measures::valid);
+  const auto cell = std::find(valid.begin(), valid.end(), 2.0F);
+  if (cell == valid.end()) return std::nullopt;
+  const auto index = static_cast<std::size_t>(cell - valid.begin());
+  const LinkageFamily& family = *std::get<StraightLineAnswer>(*answer).family();
+  const double input = family.axis_value(Side::input, map.input_coordinates()[index / map.columns()]),
+               output = family.axis_value(Side::output, map.output_coordinates()[index % map.columns()]);
+  constexpr double narrow = 1e-9;
+  return MapWindow{{input - narrow, input + narrow}, {output - narrow, output + narrow}};
+}
+
+TEST(Session, SaysAsSolveDoesThatOnlySlidersAreThere) {
+  int found = 0;
+  for (const char* const name : {"straight_indicator", "straight_luffing_crane", "straight_stage",
+                                 "straight_walking_leg", "straight_watt_suspension", "straight_scraper_as_made"}) {
+    Problem problem = example(std::string(name) + ".json", 60);
+    problem.options.window = window_of_sliders(problem);
+    if (!problem.options.window) continue;
+    problem.options.region_samples = SynthesisOptions::min_samples;
+    const auto answer = solve(problem);
+    if (!answer || findings(*answer).reason.code != "only_sliders") continue;
+    ++found;
+    Session session(problem);
+    (void)session.explore(coarse());
+    ASSERT_TRUE(session.why_nothing()) << name;
+    EXPECT_EQ(session.why_nothing()->code, "only_sliders") << name;
+  }
+  EXPECT_GT(found, 0);
 }
 
 // With a free parameter no link depends on its own coordinate alone.

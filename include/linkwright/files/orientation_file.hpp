@@ -45,7 +45,7 @@ struct OrientationReport {
   ModifiedRodriguesVector mrp;
   std::vector<EulerDecomposition> euler;  ///< twelve, intrinsic, in the order of EulerSequence::all()
   ResalFrame resal;
-  double orthogonality_error = 0, determinant = 0, cofactor_error = 0;  ///< of the matrix, rotation_properties.hpp
+  double orthogonality_error = 0, determinant = 0, cofactor_error = 0;  ///< of the matrix
   EigenvalueOne eigenvalue_one;
   std::vector<Vector3> images;  ///< of the task's vectors, by the tensor of finite rotation
 };

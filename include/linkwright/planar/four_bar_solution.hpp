@@ -42,7 +42,7 @@ struct FourBarSolution {
 /// rounding decides what the linkage does. Such a linkage is no answer.
 [[nodiscard]] bool is_unconfirmed(const FourBarSolution& found);
 
-/// Why a four-bar of the task's map does not do the task (analysis/pose_visits.hpp); nothing without defects.
+/// Why a four-bar of the task's map does not do the task (mechanism/pose_visits.hpp); nothing without defects.
 [[nodiscard]] std::optional<Notice> defect_notice(const FourBarSolution& found, const TaskFamily& given);
 
 }  // namespace linkwright

@@ -32,7 +32,7 @@ struct AddedMeasure {
   double margin = 0;  ///< which the search keeps
 };
 
-/// What analyses ask of a family's linkages. What comes later takes longer.
+/// What analyses ask of a family's linkages. What comes later takes longer; one at most is sampled.
 struct AddedMeasures {
   std::vector<AddedMeasure> all;
 

@@ -80,6 +80,10 @@ struct Criterion {
   [[nodiscard]] bool is_met_by(double measured, double limit) const {
     return rule == Rule::at_least ? measured >= limit : measured <= limit;
   }
+  /// The limit of a number that keeps a margin from another.
+  [[nodiscard]] double stricter(double limit, double margin) const {
+    return rule == Rule::at_least ? limit + margin : limit - margin;
+  }
   /// Requires another limit of a number.
   void set(Requirements& wanted, double limit) const;
   /// Where hinges must lie; nothing: anywhere.

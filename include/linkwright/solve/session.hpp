@@ -142,9 +142,9 @@ class Session {
   [[nodiscard]] Result<Answer> best(int most) const;
 
  private:
-  void set_tolerances(bool task_is_new);
+  void set_options(bool task_is_new);
   void colour(std::string_view property);
-  void measure_tolerances(bool map_is_new);
+  void measure_added(bool map_is_new);
   void look_closer(const RequirementFilter& passing);
   void evaluate(const RequirementFilter& passing);
   void draw();
@@ -175,11 +175,11 @@ class Session {
   ColouredMap map_;
   RegionMap strip_, cell_;  ///< a row or a column, and a single cell
 
-  AddedMeasures added_;                   ///< of tolerances_
-  std::optional<Tolerances> tolerances_;  ///< with their turning length
-  bool tolerances_measured_ = false;      ///< map_ holds the errors of tolerances_
-  std::unique_ptr<YieldMap> yields_;      ///< of map_ and tolerances_, as far as they are sampled
-  std::vector<std::uint8_t> yields_of_;   ///< the cells that are to be
+  SynthesisOptions analyzed_;            ///< of the problem; tolerances with their turning length
+  AddedMeasures added_;                  ///< of analyzed_
+  bool added_measured_ = false;          ///< map_ holds them
+  std::unique_ptr<YieldMap> yields_;     ///< of map_, as far as it is sampled
+  std::vector<std::uint8_t> yields_of_;  ///< the cells that are to be
 };
 
 }  // namespace linkwright

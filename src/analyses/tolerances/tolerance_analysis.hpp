@@ -21,13 +21,14 @@ namespace linkwright {
 // The block.
 void fields(FieldVisitor& v, Tolerances& tolerances);
 
-/// The error to first order, and where there is a limit the yield by few samples, of a family's linkages. The turning
-/// length is set, and so is the limit where yields are wanted. The family must outlive them.
-[[nodiscard]] AddedMeasures tolerance_measures(const LinkageFamily& family, const Tolerances& tolerances);
+/// The error to first order, and `with_sampled`, where there is a limit, the yield by few samples, of a family's
+/// linkages. The turning length is set. The family must outlive them.
+[[nodiscard]] AddedMeasures tolerance_measures(const LinkageFamily& family, const Tolerances& tolerances,
+                                               bool with_sampled);
 
-/// Findings::tolerance of the linkages listed; those that do not meet by it what is required are left out, and a
-/// warning says so, but not what is at a place that was asked for; where these rank them, the list is put in their
-/// order. Cancelled: of those that were reached.
+/// Findings::tolerance of the linkages listed, by the tolerances of the options, which are there; those that do not
+/// meet by it what is required are left out, and a warning says so, but not what is at a place that was asked for;
+/// where these rank them, the list is put in their order. Cancelled: of those that were reached.
 void report_tolerances(Answer& answer, const Progress& progress = {});
 
 /// How the linkages that an answer lists lie in the positions of its task, one to each; turns counted by the turning

@@ -13,7 +13,7 @@ namespace linkwright {
 namespace {
 
 constexpr std::string_view ground = "GROUND", input = "INPUT", coupler = "COUPLER", output = "OUTPUT",
-                           positions = "POSITIONS", coupler_curve = "COUPLER_CURVE";
+                           coupler_curve = "COUPLER_CURVE";
 
 /// Radius of the pin holes: small against the shortest link, visible against the longest.
 double drawn_pin_radius(const LinkLengths& lengths) {
@@ -38,11 +38,11 @@ void draw_coupler(DxfWriter& dxf, const StoredLinkage& linkage, double radius) {
 void draw_positions(DxfWriter& dxf, const StoredLinkage& linkage, double frame_size) {
   const std::vector<FourBar> as_it_moves = in_positions(linkage);
   for (std::size_t pose = 0; pose < linkage.poses.size(); ++pose) {
-    draw_frame(dxf, positions, linkage.poses[pose].pose, pose + 1, frame_size);
+    draw_frame(dxf, positions_layer, linkage.poses[pose].pose, pose + 1, frame_size);
     if (pose == 0) continue;
     const FourBar& bars = as_it_moves[pose];
     const std::array<Point, 4> links = {bars.input_fixed, bars.input_moving, bars.output_moving, bars.output_fixed};
-    dxf.polyline(positions, links, false);
+    dxf.polyline(positions_layer, links, false);
   }
 }
 
@@ -56,7 +56,7 @@ void draw_coupler_curve(DxfWriter& dxf, const StoredLinkage& linkage) {
 
 std::string draw_dxf(const StoredLinkage& linkage) {
   DxfWriter dxf(insert_units(linkage.length_unit),
-                {{ground, 8}, {input, 5}, {coupler, 7}, {output, 30}, {positions, 9}, {coupler_curve, 3}});
+                {{ground, 8}, {input, 5}, {coupler, 7}, {output, 30}, {positions_layer, 9}, {coupler_curve, 3}});
   const FourBar& bars = linkage.four_bar;
   const LinkLengths lengths = bars.lengths();
   const double radius = drawn_pin_radius(lengths);

@@ -10,6 +10,9 @@
 
 namespace linkwright {
 
+/// The layer of the positions of a linkage after the first.
+inline constexpr std::string_view positions_layer = "POSITIONS";
+
 struct DxfLayer {
   std::string_view name;
   int color = 7;  ///< AutoCAD colour index

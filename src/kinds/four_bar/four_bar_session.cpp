@@ -61,7 +61,7 @@ Notice no_map(const FourBarAnswer& known) {
   return known.given.degeneracy.value_or(Notice{"no_map", "There is no map of this task.", {}});
 }
 
-Notice nothing_on_map(const FourBarAnswer& /*known*/) {
+Notice nothing_on_map(const FourBarAnswer& /*known*/, const RegionMap& /*map*/) {
   return {"no_pair",
           "No pair of dyads makes a four-bar: in every pair a pivot is at infinity or a link has no length.",
           {}};

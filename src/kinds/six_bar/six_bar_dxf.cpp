@@ -11,7 +11,7 @@ namespace {
 
 constexpr std::array<std::string_view, SixBar::bodies> layers = {"GROUND", "BODY_1", "BODY_2",
                                                                  "BODY_3", "BODY_4", "BODY_5"};
-constexpr std::string_view positions = "POSITIONS", body_path = "BODY_PATH";
+constexpr std::string_view body_path = "BODY_PATH";
 
 std::vector<Point> corners(const SixBar& six_bar, const SixBarScene::Hinges& hinges, int body) {
   std::vector<Point> found;
@@ -33,11 +33,11 @@ void draw_ground(DxfWriter& dxf, const std::vector<Point>& hinges, double radius
 
 void draw_positions(DxfWriter& dxf, const SixBarScene& scene, double frame_size) {
   for (std::size_t pose = 0; pose < scene.poses.size(); ++pose)
-    draw_frame(dxf, positions, scene.poses[pose].pose, pose + 1, frame_size);
+    draw_frame(dxf, positions_layer, scene.poses[pose].pose, pose + 1, frame_size);
   for (const SixBarScene::Hinges& hinges : scene.positions)
     for (int body = 1; body < SixBar::bodies; ++body) {
       const std::vector<Point> there = corners(scene.six_bar, hinges, body);
-      dxf.polyline(positions, there, there.size() > 2);
+      dxf.polyline(positions_layer, there, there.size() > 2);
     }
 }
 
@@ -50,7 +50,7 @@ std::string draw_dxf(const StoredSixBar& linkage) {
                                                     {layers[3], 7},
                                                     {layers[4], 30},
                                                     {layers[5], 6},
-                                                    {positions, 9},
+                                                    {positions_layer, 9},
                                                     {body_path, 3}});
   const SixBarScene scene = scene_of(linkage);
   const SixBarShape shape = shape_of(linkage.six_bar);

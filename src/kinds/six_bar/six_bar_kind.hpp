@@ -33,7 +33,7 @@ namespace linkwright {
 
 [[nodiscard]] Requirements with_defaults(Requirements wanted, const SixBarAnswer& known);
 [[nodiscard]] Notice no_map(const SixBarAnswer& known);
-[[nodiscard]] Notice nothing_on_map(const SixBarAnswer& known);
+[[nodiscard]] Notice nothing_on_map(const SixBarAnswer& known, const RegionMap& map);
 [[nodiscard]] LinkPolygon links_along(const SixBarAnswer& known, Side side);
 [[nodiscard]] ShownAxis shown_axis(const SixBarAnswer& known, Side side, int order, const ShownAxis* before);
 [[nodiscard]] int live_samples(const SixBarAnswer& known, int asked);

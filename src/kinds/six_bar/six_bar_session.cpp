@@ -30,7 +30,7 @@ Notice no_map(const SixBarAnswer& /*known*/) {
   return {"chain_wanted", "No chain is given: place its three hinges, or let one be searched for.", {}};
 }
 
-Notice nothing_on_map(const SixBarAnswer& /*known*/) {
+Notice nothing_on_map(const SixBarAnswer& /*known*/, const RegionMap& /*map*/) {
   return {
       "no_pair",
       "No two added links make a six-bar of this chain: in every pair a hinge is at infinity or a link has no length.",

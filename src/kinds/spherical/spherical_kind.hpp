@@ -20,7 +20,7 @@ namespace linkwright {
 
 [[nodiscard]] Requirements with_defaults(Requirements wanted, const SphericalAnswer& known);
 [[nodiscard]] Notice no_map(const SphericalAnswer& known);
-[[nodiscard]] Notice nothing_on_map(const SphericalAnswer& known);
+[[nodiscard]] Notice nothing_on_map(const SphericalAnswer& known, const RegionMap& map);
 [[nodiscard]] LinkPolygon links_along(const SphericalAnswer& known, Side side);
 [[nodiscard]] ShownAxis shown_axis(const SphericalAnswer& known, Side side, int order, const ShownAxis* before);
 bool write_property(const SphericalFunctionAnswer& known, const ColouredMap& map, std::string_view property,

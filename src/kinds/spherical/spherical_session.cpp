@@ -20,7 +20,7 @@ Notice no_map(const SphericalAnswer& known) {
   return known.given.degeneracy.value_or(Notice{"no_map", "There is no map of this task.", {}});
 }
 
-Notice nothing_on_map(const SphericalAnswer& /*known*/) {
+Notice nothing_on_map(const SphericalAnswer& /*known*/, const RegionMap& /*map*/) {
   return {"no_pair", "No pair of dyads makes a four-bar: in every pair a link has no length.", {}};
 }
 

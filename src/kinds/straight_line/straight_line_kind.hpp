@@ -41,7 +41,7 @@ inline void warn_of_locking(const StraightLineAnswer& /*answer*/, const Progress
 [[nodiscard]] bool serves(const StraightLineAnswer& known, const Problem& before, const Problem& now);
 [[nodiscard]] Requirements with_defaults(Requirements wanted, const StraightLineAnswer& known);
 [[nodiscard]] Notice no_map(const StraightLineAnswer& known);
-[[nodiscard]] Notice nothing_on_map(const StraightLineAnswer& known);
+[[nodiscard]] Notice nothing_on_map(const StraightLineAnswer& known, const RegionMap& map);
 [[nodiscard]] LinkPolygon links_along(const StraightLineAnswer& known, Side side);
 [[nodiscard]] ShownAxis shown_axis(const StraightLineAnswer& known, Side side, int order, const ShownAxis* before);
 [[nodiscard]] std::vector<double> coordinates_of(const StraightLineAnswer& known, const LinkageFamily& family,

@@ -54,7 +54,7 @@ void state_what_was_found(StraightLineAnswer& answer) {
   const std::int64_t whole = whole_linkages(answer);
   if (whole == 0) {
     answer.status = SolutionStatus::no_solution;
-    answer.reason = nothing_on_map(answer);
+    answer.reason = nothing_on_map(answer, answer.region);
   } else if (nothing_meets_requirements(answer)) {
     if (!std::isfinite(answer.requirements.max_deviation) && answer.relax_together &&
         std::count(answer.relax_together->requirements.begin(), answer.relax_together->requirements.end(),
@@ -209,14 +209,14 @@ Answer search_all_cases(StraightLineAnswer answer, const straight_cases::Search&
 
 }  // namespace
 
-Notice nothing_on_map(const StraightLineAnswer& answer) {
-  const std::span<const float> valid = answer.region.values(measures::valid);
+Notice nothing_on_map(const StraightLineAnswer& known, const RegionMap& map) {
+  const std::span<const float> valid = map.values(measures::valid);
   if (std::any_of(valid.begin(), valid.end(), [](float kind) { return kind == 2; }))
     return {"only_sliders",
             "Every linkage of this case has a slider in place of a link here. Widen the window, or change what is "
             "given.",
             {}};
-  return no_straight_line(answer.task);
+  return no_straight_line(known.task);
 }
 
 Requirements with_default_length(Requirements wanted, const StraightLineTask& task) {
