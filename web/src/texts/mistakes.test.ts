@@ -195,7 +195,7 @@ function codes_of_sources(): string[] {
   const sources = readdirSync(`${root}src`, {recursive: true, encoding: "utf8"}).filter(
     (name) =>
       name.endsWith(".cpp") &&
-      !/^sweep\/|attitude|files\/(linkage|text|stored_linkage|six_bar\/six_bar_reader|spherical\/spherical_reader)|synthesis\/(solve|picked_place|six_bar_answer)/.test(
+      !/^sweep\/|attitude|files\/(linkage|text|stored_linkage)|kinds\/(six_bar\/six_bar_(reader|solve)|spherical\/spherical_reader)|synthesis\/(solve|picked_place)/.test(
         name,
       ),
   );
