@@ -32,6 +32,10 @@ class AmongPassing : public CellMeasure {
   const RequirementFilter& filter_;
 };
 
+bool is_on(const Criterion& criterion, const AddedMeasure& added) {
+  return criterion.of && *criterion.of == added.measure->measure();
+}
+
 }  // namespace
 
 const AddedMeasure* AddedMeasures::find(const Measure& measure) const {
@@ -49,13 +53,13 @@ const AddedMeasure* AddedMeasures::sampled() const {
 std::vector<const Criterion*> AddedMeasures::criteria_on(const AddedMeasure& added) {
   std::vector<const Criterion*> found;
   for (const Criterion& criterion : criteria())
-    if (criterion.of && *criterion.of == added.measure->measure()) found.push_back(&criterion);
+    if (is_on(criterion, added)) found.push_back(&criterion);
   return found;
 }
 
 bool AddedMeasures::is_required(const AddedMeasure& added, const Requirements& wanted) {
-  const auto on_it = criteria_on(added);
-  return std::any_of(on_it.begin(), on_it.end(), [&](const Criterion* asked) { return asked->has_limit(wanted); });
+  return std::any_of(criteria().begin(), criteria().end(),
+                     [&](const Criterion& asked) { return is_on(asked, added) && asked.has_limit(wanted); });
 }
 
 bool AddedMeasures::is_asked(const AddedMeasure& added, const Requirements& wanted, Objective objective) {
@@ -71,7 +75,8 @@ bool AddedMeasures::are_required(const Requirements& wanted) const {
 Requirements AddedMeasures::all_else(const AddedMeasure& added, const Requirements& wanted) const {
   Requirements left = wanted;
   for (const AddedMeasure* later = &added; later != all.data() + all.size(); ++later)
-    for (const Criterion* criterion : criteria_on(*later)) criterion->set(left, criterion->any);
+    for (const Criterion& criterion : criteria())
+      if (is_on(criterion, *later)) criterion.set(left, criterion.any);
   return left;
 }
 
@@ -88,10 +93,10 @@ void AddedMeasures::add_to(RegionMap& map, const LinkageFamily& family, const Re
 std::vector<RequirementKind> AddedMeasures::failures_at(MapPoint place, const Requirements& wanted) const {
   std::vector<RequirementKind> failed;
   for (const AddedMeasure& added : all)
-    for (const Criterion* asked : criteria_on(added)) {
-      if (!asked->has_limit(wanted)) continue;
+    for (const Criterion& asked : criteria()) {
+      if (!is_on(asked, added) || !asked.has_limit(wanted)) continue;
       const auto measured = added.measure->at(place);
-      if (!measured || !asked->is_met_by(*measured, asked->limit(wanted))) failed.push_back(asked->kind);
+      if (!measured || !asked.is_met_by(*measured, asked.limit(wanted))) failed.push_back(asked.kind);
     }
   return failed;
 }
@@ -99,8 +104,9 @@ std::vector<RequirementKind> AddedMeasures::failures_at(MapPoint place, const Re
 std::optional<double> AddedMeasures::passing(const AddedMeasure& added, MapPoint place, const Requirements& wanted) {
   const auto measured = added.measure->at(place);
   if (!measured || !std::isfinite(*measured)) return std::nullopt;
-  for (const Criterion* asked : criteria_on(added))
-    if (asked->has_limit(wanted) && !asked->is_met_by(*measured, asked->stricter(asked->limit(wanted), added.margin)))
+  for (const Criterion& asked : criteria())
+    if (is_on(asked, added) && asked.has_limit(wanted) &&
+        !asked.is_met_by(*measured, asked.stricter(asked.limit(wanted), added.margin)))
       return std::nullopt;
   return measured;
 }
