@@ -5,7 +5,7 @@
 2. Public headers include only public headers and the standard library.
 3. include/linkwright/<folder>/<noun>.hpp has its tests in tests/<folder>/<noun>_test.cpp.
 4. Files are named snake_case; in web/src the components (.svelte) UpperCamel.
-5. What is long to compile is included by one file of the library: Eigen by src/algebra/dense.cpp.
+5. A library stays behind one door: Eigen in src/algebra/dense.cpp, nlohmann in src/files/json.
 6. Nobody casts to find out what kind a family or an answer is: there is no dynamic_cast.
 7. linkwright/linkwright.hpp includes every public header that the programs and the Python module include.
 
@@ -45,7 +45,7 @@ WHOLE = PUBLIC / "linkwright.hpp"
 FACES = ("apps", "bindings/python")
 CODE = ("include", "src", "apps", "bindings")
 CAST = re.compile(r"\bdynamic_(pointer_)?cast\b")
-EIGEN = "src/algebra/dense.cpp"
+DOORS = {"Eigen": "src/algebra/dense.cpp", "nlohmann": "src/files/json/"}  # what is long to compile, and who includes it
 # What visits tasks and answers sees all kinds, and what asks for analyses all of them, wherever it stands.
 VISITED = ("kinds/kinds.hpp", "analyses/analyses.hpp")
 INCLUDE = re.compile(r'^\s*#\s*include\s*([<"])([^>"]+)[>"]')
@@ -57,13 +57,6 @@ def includes_of(file):
         match = INCLUDE.match(line)
         if match:
             yield number, match[1] == '"', match[2]
-
-
-def private_problem(place, included):
-    """What is wrong with `included` in a file of src/; None if nothing is."""
-    if included.startswith("Eigen/") and place.as_posix() != EIGEN:
-        return f"<{included}>: {EIGEN} alone includes Eigen; what is missing in dense.hpp is added there"
-    return None
 
 
 def order_problem(folder, kind, included):
@@ -104,7 +97,7 @@ def file_violations(root, base, file):
         yield f"{place}: the library has no folder {folder}; its folders and their order are in script/lint_tree.py"
         return
     for number, quoted, included in includes_of(file):
-        problem = public_header_problem(quoted, included) if base == PUBLIC else private_problem(place, included)
+        problem = public_header_problem(quoted, included) if base == PUBLIC else None
         if not problem and (quoted or included.startswith("linkwright/")):
             problem = order_problem(folder, kind, included)
         if problem:
@@ -125,6 +118,16 @@ def whole_violations(root):
             for number, _, included in includes_of(file):
                 if included.startswith("linkwright/") and included not in has | {"linkwright/linkwright.hpp"}:
                     yield f'{file.relative_to(root)}:{number}: "{included}" is missing in {WHOLE}'
+
+
+def door_violations(root):
+    for folder in CODE[1:]:
+        for file in sorted((root / folder).rglob("*.[ch]pp")):
+            place = file.relative_to(root).as_posix()
+            for number, _, included in includes_of(file):
+                door = DOORS.get(included.split("/")[0])
+                if door and not place.startswith(door):
+                    yield f"{place}:{number}: <{included}>: {door} alone includes it; what is missing there is added there"
 
 
 def cast_violations(root):
@@ -152,7 +155,7 @@ def name_violations(root):
 
 
 def violations(root):
-    return [*include_violations(root), *whole_violations(root), *cast_violations(root), *test_violations(root), *name_violations(root)]
+    return [*include_violations(root), *door_violations(root), *whole_violations(root), *cast_violations(root), *test_violations(root), *name_violations(root)]
 
 
 def self_test():
@@ -165,6 +168,8 @@ def self_test():
         ({"src/planar/a.cpp": '#include "linkwright/core/angle.hpp"\n#include "b.hpp"\n#include <vector>\n'}, []),
         ({"src/algebra/dense.cpp": "#include <Eigen/Core>\n"}, []),
         ({"src/algebra/dense.hpp": "#include <Eigen/Core>\n"}, ["dense.hpp:1: <Eigen/Core>: src/algebra/dense.cpp alone"]),
+        ({"src/files/json/json.hpp": "#include <nlohmann/json.hpp>\n"}, []),
+        ({"apps/cli/flags.cpp": "#include <nlohmann/json.hpp>\n"}, ["flags.cpp:1: <nlohmann/json.hpp>: src/files/json/ alone"]),
         ({"src/planar/a.cpp": '#include "region/kernel.hpp"\n#include "planar/b.hpp"\n'}, []),
         ({"src/region/a.cpp": '\n #  include "linkwright/planar/b.hpp"\n'}, ["src/region/a.cpp:2: ", "stands above"]),
         ({"src/region/a.cpp": "#include <linkwright/planar/b.hpp>\n"}, ["region may not include planar"]),

@@ -4,8 +4,9 @@
 #include <charconv>
 #include <cmath>
 #include <fmt/format.h>
-#include <nlohmann/json.hpp>
 #include <optional>
+
+#include "files/json/json.hpp"
 
 namespace linkwright::cli {
 namespace {
@@ -126,9 +127,9 @@ std::optional<std::vector<double>> numbers_in(std::string_view text) {
   }
 }
 
-nlohmann::json rows_of(const std::vector<double>& numbers) {
+Json rows_of(const std::vector<double>& numbers) {
   const std::size_t size = numbers.size() == 16 ? 4 : 3;
-  nlohmann::json rows = nlohmann::json::array();
+  Json rows = Json::array();
   for (std::size_t i = 0; i < numbers.size(); i += size) {
     rows.push_back(std::vector<double>(numbers.begin() + static_cast<std::ptrdiff_t>(i),
                                        numbers.begin() + static_cast<std::ptrdiff_t>(i + size)));
@@ -154,8 +155,8 @@ Result<std::vector<double>> read_numbers(const AttitudeFlag& flag, const std::st
                                     : fmt::format("{}, not \"{}\"", shape, text.substr(0, 40)));
 }
 
-nlohmann::json& at(nlohmann::json& file, std::string_view place) {
-  nlohmann::json* value = &file;
+Json& at(Json& file, std::string_view place) {
+  Json* value = &file;
   while (true) {
     const std::size_t end = std::min(place.find('.'), place.size());
     value = &(*value)[std::string(place.substr(0, end))];
@@ -165,7 +166,7 @@ nlohmann::json& at(nlohmann::json& file, std::string_view place) {
 }
 
 /// What `content` makes of the numbers of one value.
-nlohmann::json as_json(Content content, const std::vector<double>& numbers) {
+Json as_json(Content content, const std::vector<double>& numbers) {
   switch (content) {
     case Content::number:
       return numbers.front();
@@ -181,10 +182,10 @@ nlohmann::json as_json(Content content, const std::vector<double>& numbers) {
 }
 
 /// Adds what one flag says; the mistake, if there is one.
-std::optional<Error> add(nlohmann::json& file, const AttitudeFlag& flag, const std::vector<std::string>& values) {
-  nlohmann::json& value = at(file, flag.place);
+std::optional<Error> add(Json& file, const AttitudeFlag& flag, const std::vector<std::string>& values) {
+  Json& value = at(file, flag.place);
   if (flag.content == Content::set) {
-    value = nlohmann::json::parse(flag.fixed_value);
+    value = Json::parse(flag.fixed_value);
     return std::nullopt;
   }
   if (flag.content == Content::text) {
@@ -232,7 +233,7 @@ const std::vector<AttitudeFlag>& attitude_flags(std::string_view command) {
 }
 
 Result<std::string> file_of_flags(std::string_view command, const FlagValues& values) {
-  nlohmann::json file = {{"linkwright", 1}};
+  Json file = {{"linkwright", 1}};
   std::vector<Error> mistakes;
   for (AttitudeFlag flag : attitude_flags(command)) {
     const auto given = values.find(std::string(flag.name));
@@ -241,7 +242,7 @@ Result<std::string> file_of_flags(std::string_view command, const FlagValues& va
     if (const auto error = add(file, flag, given->second)) mistakes.push_back(*error);
   }
   if (!mistakes.empty()) return mistakes;
-  return file.dump(-1, ' ', false, nlohmann::json::error_handler_t::replace);
+  return file.dump(-1, ' ', false, Json::error_handler_t::replace);
 }
 
 std::vector<Error> in_terms_of_flags(std::string_view command, const FlagValues& values, std::vector<Error> errors) {

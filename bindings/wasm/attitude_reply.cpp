@@ -1,7 +1,7 @@
 #include <algorithm>
-#include <nlohmann/json.hpp>
 
 #include "attitude/finite_rotation.hpp"
+#include "files/json/json.hpp"
 #include "linkwright/attitude/euler_rates.hpp"
 #include "linkwright/attitude/screw.hpp"
 #include "linkwright/files/angular_motion_file.hpp"
@@ -13,8 +13,6 @@
 
 namespace linkwright::wasm {
 namespace {
-
-using Json = nlohmann::json;
 
 constexpr int path_steps = 48;
 

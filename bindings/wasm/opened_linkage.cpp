@@ -1,9 +1,9 @@
 #include <array>
 #include <cmath>
-#include <nlohmann/json.hpp>
 #include <span>
 
 #include "files/fields/field_writer.hpp"
+#include "files/json/json.hpp"
 #include "kinds/four_bar/four_bar_record.hpp"
 #include "kinds/kinds.hpp"
 #include "kinds/six_bar/six_bar_record.hpp"
@@ -164,11 +164,11 @@ Travel travel_of_stored(const StoredSphericalFourBar& /*linkage*/) { return {}; 
 
 std::optional<Result<AnyStoredLinkage>> opened_linkage(std::string_view text) {
   if (text.find(R"("linkage")") == std::string_view::npos) return std::nullopt;
-  const auto problem = nlohmann::json::parse(text, nullptr, false, true);
+  const auto problem = Json::parse(text, nullptr, false, true);
   if (!problem.is_object() || !problem.contains("task") || !problem["task"].is_object()) return std::nullopt;
-  const nlohmann::json& task = problem["task"];
-  if (task.value("kind", nlohmann::json()) != "linkage" || !task.contains("file")) return std::nullopt;
-  nlohmann::json file = task["file"];
+  const Json& task = problem["task"];
+  if (task.value("kind", Json()) != "linkage" || !task.contains("file")) return std::nullopt;
+  Json file = task["file"];
   if (!file.is_object()) return std::nullopt;
   for (const char* key : {"title", "length_unit"})
     if (problem.contains(key)) file[key] = problem[key];

@@ -1,8 +1,8 @@
 #include "file_header.hpp"
 
 #include <fmt/format.h>
-#include <nlohmann/json.hpp>
 
+#include "files/json/json.hpp"
 #include "linkwright/files/problem_file.hpp"
 
 namespace linkwright {

@@ -1,10 +1,10 @@
 #include <cmath>
 #include <fmt/format.h>
-#include <nlohmann/json.hpp>
 #include <optional>
 
 #include "file_header.hpp"
 #include "files/fields/field_reader.hpp"
+#include "files/json/json.hpp"
 #include "files/json/json_document.hpp"
 #include "files/json/json_object.hpp"
 #include "files/json/mistakes.hpp"
@@ -56,7 +56,7 @@ void refuse_point(const JsonValue& value, Mistakes& mistakes) {
                              "leave \"point\" out");
 }
 
-bool has_tracing_pivots(const nlohmann::json& element) {
+bool has_tracing_pivots(const Json& element) {
   return element.contains("pivots") && element["pivots"].is_object() && element["pivots"].contains("input_fixed");
 }
 

@@ -1,10 +1,10 @@
 #include "listed_problem.hpp"
 
 #include <fmt/format.h>
-#include <nlohmann/json.hpp>
 #include <optional>
 
 #include "file_header.hpp"
+#include "files/json/json.hpp"
 #include "files/json/json_document.hpp"
 #include "files/json/json_object.hpp"
 #include "files/json/mistakes.hpp"
@@ -14,8 +14,6 @@
 
 namespace linkwright {
 namespace {
-
-using Json = nlohmann::json;
 
 std::optional<double> coordinate_of(const Json& part) {
   if (!part.is_object() || !part.contains("coordinate") || !part["coordinate"].is_number()) return std::nullopt;

@@ -1,10 +1,10 @@
 #include "problem_fields.hpp"
 
 #include <fmt/format.h>
-#include <nlohmann/json.hpp>
 
 #include "analyses/analyses.hpp"
 #include "document_fields.hpp"
+#include "files/json/json.hpp"
 #include "kinds/kinds.hpp"
 #include "linkwright/files/number_text.hpp"
 
@@ -17,10 +17,10 @@ Kind kind(std::string_view name, std::string_view mechanism, Task& task) {
 }
 
 /// Three points [x, y] or more; none of another list, which is the workbench's business.
-std::vector<Point> outline_of(const nlohmann::json& list) {
+std::vector<Point> outline_of(const Json& list) {
   std::vector<Point> outline;
   if (!list.is_array()) return outline;
-  for (const nlohmann::json& point : list) {
+  for (const Json& point : list) {
     if (!point.is_array() || point.size() != 2 || !point[0].is_number() || !point[1].is_number()) return {};
     outline.emplace_back(point[0].get<double>(), point[1].get<double>());
   }
@@ -39,7 +39,7 @@ std::string view_text(const Problem& problem) {
 }
 
 void take_view(const std::string& text, Problem& problem) {
-  nlohmann::json rest = nlohmann::json::parse(text);
+  Json rest = Json::parse(text);
   if (const auto outline = rest.find("outline"); outline != rest.end()) problem.outline = outline_of(*outline);
   if (!problem.outline.empty()) rest.erase("outline");
   if (problem.outline.empty() || !rest.empty()) problem.view = rest.dump();

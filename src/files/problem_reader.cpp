@@ -1,10 +1,10 @@
 #include <algorithm>
-#include <nlohmann/json.hpp>
 #include <variant>
 #include <vector>
 
 #include "file_header.hpp"
 #include "files/fields/field_reader.hpp"
+#include "files/json/json.hpp"
 #include "files/json/json_document.hpp"
 #include "linkwright/files/problem_file.hpp"
 #include "linkwright/files/text_file.hpp"
@@ -14,12 +14,12 @@ namespace linkwright {
 namespace {
 
 /// What is asked for although linkages of the class do not have it, the defaults of other classes included.
-void refuse_foreign_requirements(const nlohmann::json& written, const Requirements& requirements,
-                                 const LinkageClass& asked, Mistakes& mistakes) {
+void refuse_foreign_requirements(const Json& written, const Requirements& requirements, const LinkageClass& asked,
+                                 Mistakes& mistakes) {
   std::vector<Error> found = mistakes_in(requirements, asked);
   for (const Criterion& one : criteria()) {
     const bool is_own = place_among(asked.requirements, one.kind) < asked.requirements.size();
-    if (is_own || written.value(one.key, nlohmann::json()).is_null()) continue;
+    if (is_own || written.value(one.key, Json()).is_null()) continue;
     const Error foreign = foreign_requirement(one.kind, asked);
     if (std::none_of(found.begin(), found.end(), [&](const Error& known) { return known.place == foreign.place; }))
       found.push_back(foreign);
@@ -28,8 +28,8 @@ void refuse_foreign_requirements(const nlohmann::json& written, const Requiremen
 }
 
 /// What one part of a file says of another.
-void settle(const nlohmann::json& file, Problem& problem, Mistakes& mistakes) {
-  const auto object = nlohmann::json::object();
+void settle(const Json& file, Problem& problem, Mistakes& mistakes) {
+  const auto object = Json::object();
   if (!file.value("options", object).contains("objective"))
     problem.options.objective = linkages(problem.task).objectives.front();
   std::visit(

@@ -20,16 +20,16 @@ void drop_the_rest(KindAnswer& answer) {
 
 }  // namespace
 
-nlohmann::json linkage_records(Answer answer) {
+Json linkage_records(Answer answer) {
   std::visit([](auto& of_kind) { drop_the_rest(of_kind); }, answer);
-  return nlohmann::json::parse(json_text_of([&](JsonWriter& json) {
+  return Json::parse(json_text_of([&](JsonWriter& json) {
     FieldWriter to(json);
     std::visit([&](const auto& of_kind) { visit_linkages(to, of_kind); }, answer);
   }));
 }
 
-const nlohmann::json* member_at(const nlohmann::json& record, std::string_view name) {
-  const nlohmann::json* at = &record;
+const Json* member_at(const Json& record, std::string_view name) {
+  const Json* at = &record;
   while (!name.empty()) {
     if (name.front() == '.') name.remove_prefix(1);
     if (name.front() == '[') {

@@ -5,11 +5,11 @@
 #include <exception>
 #include <limits>
 #include <mutex>
-#include <nlohmann/json.hpp>
 #include <system_error>
 #include <thread>
 #include <utility>
 
+#include "files/json/json.hpp"
 #include "linkage_records.hpp"
 #include "linkwright/core/parallel.hpp"
 #include "linkwright/synthesis/solve.hpp"
@@ -93,9 +93,9 @@ std::vector<BlockRun> runs_between(const std::vector<StoredBlock>& done, std::in
 
 constexpr double nothing = std::numeric_limits<double>::quiet_NaN();
 
-void put_linkage(TableRows& rows, std::span<const SweepColumn> columns, const nlohmann::json& linkage) {
+void put_linkage(TableRows& rows, std::span<const SweepColumn> columns, const Json& linkage) {
   for (const SweepColumn& column : columns) {
-    const nlohmann::json* found = member_at(linkage, column.name);
+    const Json* found = member_at(linkage, column.name);
     switch (column.kind) {
       case ColumnKind::number:
         rows.put(found && found->is_number() ? found->get<double>() : nothing);
@@ -180,7 +180,7 @@ class SampleWriter {
     constexpr std::size_t own = 2;  // sample and rank
     const auto columns = std::span(plan_.columns()[static_cast<std::size_t>(SweepTable::linkages)]).subspan(own);
     std::int64_t rank = 0;
-    for (const nlohmann::json& linkage : linkage_records(std::move(answer))) {
+    for (const Json& linkage : linkage_records(std::move(answer))) {
       rows.put(sample);
       rows.put(++rank);
       put_linkage(rows, columns, linkage);

@@ -1,11 +1,11 @@
 #include <cerrno>
 #include <fcntl.h>
 #include <fmt/format.h>
-#include <nlohmann/json.hpp>
 #include <sys/file.h>
 #include <sys/stat.h>
 #include <unistd.h>
 
+#include "files/json/json.hpp"
 #include "files/json/json_document.hpp"
 #include "journal_records.hpp"
 #include "linkwright/files/text_file.hpp"
@@ -13,8 +13,6 @@
 
 namespace linkwright {
 namespace {
-
-using Json = nlohmann::json;
 
 constexpr std::string_view plan_file = "sweep.json", lock_file = "sweep.lock", replaces = "replaces_output";
 // A problem and a sweep, each as large and as deep as its file may be; numbers written anew can be some times as long.

@@ -11,7 +11,7 @@ namespace linkwright {
 namespace {
 
 // Whole numbers stay whole in JSON text; a negative zero is none.
-nlohmann::json json_number(double value) {
+Json json_number(double value) {
   const bool is_whole = value == std::floor(value) && std::abs(value) < static_cast<double>(SweepPlan::most_samples);
   if (is_whole && !(value == 0 && std::signbit(value))) return static_cast<std::int64_t>(value);
   return value;
@@ -48,11 +48,11 @@ std::vector<double> SweepPlan::values(std::int64_t sample) const {
 }
 
 std::string SweepPlan::problem_text(std::int64_t sample) const {
-  nlohmann::json problem = base_->problem;
+  Json problem = base_->problem;
   const std::vector<double> now = values(sample);
   for (std::size_t k = 0; k < variables_.size(); ++k)
     for (const VariedNumber& number : variables_[k].numbers)
-      problem[nlohmann::json::json_pointer(number.pointer)] = json_number(number.scale * now[k] + number.offset);
+      problem[JsonPointer(number.pointer)] = json_number(number.scale * now[k] + number.offset);
   return problem.dump();
 }
 

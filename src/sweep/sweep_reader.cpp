@@ -18,8 +18,7 @@
 namespace linkwright {
 namespace {
 
-using Json = nlohmann::json;
-using Pointer = nlohmann::json::json_pointer;
+using Pointer = JsonPointer;
 
 constexpr std::string_view about_points = "Points of a sequence between from and to of each of vary.";
 constexpr std::array<std::pair<Sampling, std::string_view>, 5> samplings = {
@@ -549,11 +548,11 @@ Result<SweepPlan> SweepPlan::read(std::string_view text, const std::filesystem::
   return tree ? read_sweep_tree(*tree, folder) : Result<SweepPlan>(tree.errors());
 }
 
-Result<SweepPlan> read_sweep_tree(const nlohmann::json& tree, const std::filesystem::path& folder) {
+Result<SweepPlan> read_sweep_tree(const Json& tree, const std::filesystem::path& folder) {
   return SweepReader(folder).read(tree);
 }
 
-FieldSchema::Json sweep_schema(const FieldSchema::Json& rules) {
+OrderedJson sweep_schema(const OrderedJson& rules) {
   FieldSchema visitor;
   SweepReader({}, Problem()).visit_file(visitor);
   return visitor.take(rules);

@@ -5,6 +5,6 @@
 namespace linkwright {
 
 /// The schema of sweep files, as problem_schema().
-[[nodiscard]] FieldSchema::Json sweep_schema(const FieldSchema::Json& rules = FieldSchema::Json::object());
+[[nodiscard]] OrderedJson sweep_schema(const OrderedJson& rules = OrderedJson::object());
 
 }  // namespace linkwright

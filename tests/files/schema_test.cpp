@@ -10,7 +10,7 @@
 namespace linkwright::schema_test {
 namespace {
 
-using Json = FieldSchema::Json;
+using Json = OrderedJson;
 
 const std::string root = std::string(LINKWRIGHT_SCHEMA_DIR) + "/..";
 

@@ -2,12 +2,12 @@
 
 #include <functional>
 #include <initializer_list>
-#include <nlohmann/json.hpp>
 #include <string_view>
 
 #include "files/document_fields.hpp"
 #include "files/fields/field_reader.hpp"
 #include "files/file_header.hpp"
+#include "files/json/json.hpp"
 #include "files/json/json_document.hpp"
 #include "files/json/json_object.hpp"
 #include "linkwright/core/result.hpp"

@@ -2,9 +2,9 @@
 
 #include <cmath>
 #include <fmt/format.h>
-#include <nlohmann/json.hpp>
 
 #include "attitude_header.hpp"
+#include "files/json/json.hpp"
 #include "linkwright/core/angle.hpp"
 #include "linkwright/core/count_text.hpp"
 #include "space_reader.hpp"

@@ -1,8 +1,8 @@
 #include <fmt/format.h>
-#include <nlohmann/json.hpp>
 
 #include "attitude_header.hpp"
 #include "displacement_reader.hpp"
+#include "files/json/json.hpp"
 #include "linkwright/files/link_chain_file.hpp"
 #include "space_reader.hpp"
 

@@ -1,10 +1,10 @@
 #include <algorithm>
 #include <fmt/format.h>
 #include <functional>
-#include <nlohmann/json.hpp>
 
 #include "attitude/nearest_rotation.hpp"
 #include "attitude_header.hpp"
+#include "files/json/json.hpp"
 #include "files/json/json_document.hpp"
 #include "linkwright/core/angle.hpp"
 #include "linkwright/files/orientation_file.hpp"

@@ -1,6 +1,6 @@
-#include <nlohmann/json.hpp>
 
 #include "attitude_header.hpp"
+#include "files/json/json.hpp"
 #include "linkwright/files/twist_file.hpp"
 #include "space_reader.hpp"
 

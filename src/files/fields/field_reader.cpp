@@ -3,17 +3,17 @@
 #include <algorithm>
 #include <cmath>
 #include <fmt/format.h>
-#include <nlohmann/json.hpp>
 #include <utility>
 
 #include "files/attitude/space_reader.hpp"
+#include "files/json/json.hpp"
 #include "linkwright/core/angle.hpp"
 #include "linkwright/files/nearest_name.hpp"
 
 namespace linkwright {
 namespace {
 
-bool is_of(JsonType type, const nlohmann::json& json) {
+bool is_of(JsonType type, const Json& json) {
   switch (type) {
     case JsonType::number:
       return json.is_number();
@@ -120,7 +120,7 @@ void FieldReader::orientation(GivenOrientation& orientation) {
     return;
   }
   if (mistakes_.size() != mistakes_before_) return;
-  nlohmann::json form = nlohmann::json::object();
+  Json form = Json::object();
   for (const char* key : keys)
     if (has(key)) form[key] = at_.json()[key];
   const auto read = read_orientation(JsonValue(form, at_.place(), mistakes_), mistakes_);
@@ -175,7 +175,7 @@ void refuse_length(const JsonValue& list, std::string_view code, std::string_vie
 }  // namespace
 
 void FieldReader::list(const List& described, std::size_t /*count*/, VisitElement element) {
-  const nlohmann::json& json = at_.json();
+  const Json& json = at_.json();
   if (json.is_array() && json.size() > described.most_read)
     return refuse_length(at_, described.code, described.sentence, described.most_read);
   if (described.is_of_length && (!json.is_array() || json.size() != described.most))

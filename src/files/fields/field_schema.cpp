@@ -14,23 +14,21 @@
 namespace linkwright {
 namespace {
 
-using Json = FieldSchema::Json;
-
-Json bound(double value) {
+OrderedJson bound(double value) {
   constexpr double exact = 9007199254740992;  // 2^53
   if (std::abs(value) <= exact && value == std::floor(value)) return static_cast<std::int64_t>(value);
   return value;
 }
 
-Json list_of(std::size_t least, std::size_t most, Json element) {
-  Json schema = {{"type", "array"}};
+OrderedJson list_of(std::size_t least, std::size_t most, OrderedJson element) {
+  OrderedJson schema = {{"type", "array"}};
   if (least > 0) schema["minItems"] = least;
   if (most != List{.what = ""}.most) schema["maxItems"] = most;
   schema["items"] = std::move(element);
   return schema;
 }
 
-Json or_null(Json schema) {
+OrderedJson or_null(OrderedJson schema) {
   if (schema.size() == 1 && schema.contains("anyOf")) {
     schema["anyOf"].push_back({{"type", "null"}});
     return schema;
@@ -41,41 +39,41 @@ Json or_null(Json schema) {
   return schema;
 }
 
-Json described(Sentence about, const Json& schema) {
-  Json whole = Json::object();
+OrderedJson described(Sentence about, const OrderedJson& schema) {
+  OrderedJson whole = OrderedJson::object();
   if (!about.words.empty()) whole["description"] = about.words;
   whole.update(schema);
   return whole;
 }
 
 /// As it is written; null where it is an object, or nothing in a list or a text.
-Json written(Visit value) {
-  const Json json = Json::parse(json_text_of([&](JsonWriter& to) {
+OrderedJson written(Visit value) {
+  const OrderedJson json = OrderedJson::parse(json_text_of([&](JsonWriter& to) {
     FieldWriter writer(to);
     value(writer);
   }));
-  return json.is_object() || json.empty() || json == "" ? Json() : json;
+  return json.is_object() || json.empty() || json == "" ? OrderedJson() : json;
 }
 
 }  // namespace
 
-Json FieldSchema::take(const Json& rules) {
-  Json whole = rules;
+OrderedJson FieldSchema::take(const OrderedJson& rules) {
+  OrderedJson whole = rules;
   whole.erase("$defs");
-  whole.update(std::exchange(schema_, Json::object()));
-  whole["$defs"] = std::exchange(definitions_, Json::object());
+  whole.update(std::exchange(schema_, OrderedJson::object()));
+  whole["$defs"] = std::exchange(definitions_, OrderedJson::object());
   whole.merge_patch(rules);
   return whole;
 }
 
-Json FieldSchema::of(Visit value) {
-  const Json outer = std::exchange(schema_, Json::object());
+OrderedJson FieldSchema::of(Visit value) {
+  const OrderedJson outer = std::exchange(schema_, OrderedJson::object());
   value(*this);
   return std::exchange(schema_, outer);
 }
 
-void FieldSchema::define(std::string_view name, Sentence about, Json schema) {
-  const Json whole = described(about, schema);
+void FieldSchema::define(std::string_view name, Sentence about, OrderedJson schema) {
+  const OrderedJson whole = described(about, schema);
   if (name.empty()) {
     schema_.update(whole);
     return;
@@ -86,8 +84,8 @@ void FieldSchema::define(std::string_view name, Sentence about, Json schema) {
 
 bool FieldSchema::member(const Field& field, bool is_required, Visit value) {
   const bool has_default = defaults_ == Defaults::told && !field.is_absent && !is_required;
-  const Json default_value = has_default ? written(value) : Json();
-  Json whole = described(field.about, of(value));
+  const OrderedJson default_value = has_default ? written(value) : OrderedJson();
+  OrderedJson whole = described(field.about, of(value));
   if (!default_value.is_null()) whole["default"] = default_value;
   schema_["properties"][field.key] = whole;
   if (is_required) schema_["required"].push_back(field.key);
@@ -100,7 +98,7 @@ void FieldSchema::constant(std::string_view key, std::string_view value) {
 }
 
 void FieldSchema::alternative(const Object& described_as, Visit members) {
-  const Json own = of(members);
+  const OrderedJson own = of(members);
   alternatives_.push_back(of([&](FieldVisitor&) { define(described_as.name, described_as.about, own); }));
 }
 
@@ -117,9 +115,9 @@ void FieldSchema::switch_on(const Field& field, std::size_t /*current*/, std::sp
 }
 
 void FieldSchema::orientation(GivenOrientation& /*orientation*/) {
-  const Json vector = list_of(3, 3, {{"type", "number"}});
-  const Json angle = {{"type", "number"}, {"minimum", bound(-1e12)}, {"maximum", bound(1e12)}};
-  Json& members = schema_["properties"];
+  const OrderedJson vector = list_of(3, 3, {{"type", "number"}});
+  const OrderedJson angle = {{"type", "number"}, {"minimum", bound(-1e12)}, {"maximum", bound(1e12)}};
+  OrderedJson& members = schema_["properties"];
   members["matrix"] = list_of(3, 3, vector);
   members["nearest"] =
       described("Of a matrix: whether the nearest rotation is meant; without it, no.", {{"type", "boolean"}});
@@ -136,7 +134,7 @@ void FieldSchema::orientation(GivenOrientation& /*orientation*/) {
 
 void FieldSchema::object(const Object& described_as, Visit members) {
   auto outer = std::exchange(alternatives_, {});
-  Json whole = {{"type", "object"}};
+  OrderedJson whole = {{"type", "object"}};
   whole.update(of(members));
   if (!alternatives_.empty()) whole["oneOf"] = alternatives_;
   whole[alternatives_.empty() ? "additionalProperties" : "unevaluatedProperties"] = false;
@@ -145,14 +143,15 @@ void FieldSchema::object(const Object& described_as, Visit members) {
 }
 
 void FieldSchema::kinds(std::size_t /*current*/, std::span<const Kind> all) {
-  Json any = Json::array();
+  OrderedJson any = OrderedJson::array();
   for (const Kind& each : all) any.push_back(of(each.task));
   define("task", "What the linkage is for.", {{"type", "object"}, {"required", {"kind", "mechanism"}}, {"oneOf", any}});
 }
 
 void FieldSchema::shapes(std::size_t /*current*/, std::span<const Shape> shapes, std::optional<Wanted> /*otherwise*/) {
-  Json any = Json::array();
-  for (const Shape& each : shapes) any.push_back(each.only.empty() ? of(each.value) : Json{{"const", each.only}});
+  OrderedJson any = OrderedJson::array();
+  for (const Shape& each : shapes)
+    any.push_back(each.only.empty() ? of(each.value) : OrderedJson{{"const", each.only}});
   schema_["anyOf"] = any;
 }
 
@@ -160,13 +159,13 @@ void FieldSchema::null_or(bool& /*is_there*/, Visit value) { schema_ = or_null(o
 
 void FieldSchema::list(const List& described_as, std::size_t count, VisitElement element) {
   const std::size_t least = described_as.is_of_length ? described_as.most : described_as.least;
-  const Json item = of([&](FieldVisitor& to) { element(to, count == 0 ? 0 : count - 1); });
+  const OrderedJson item = of([&](FieldVisitor& to) { element(to, count == 0 ? 0 : count - 1); });
   define(described_as.name, described_as.about, list_of(least, described_as.most, item));
 }
 
-Json FieldSchema::of(const Number& number) const {
+OrderedJson FieldSchema::of(const Number& number) const {
   if (number.least == number.most) return {{"const", bound(number.least)}};
-  Json schema = {{"type", number.is_whole ? "integer" : "number"}};
+  OrderedJson schema = {{"type", number.is_whole ? "integer" : "number"}};
   if (number.least != -Number::unlimited) schema[number.above ? "exclusiveMinimum" : "minimum"] = bound(number.least);
   if (number.most != Number::unlimited) schema[number.below ? "exclusiveMaximum" : "maximum"] = bound(number.most);
   return number.null ? or_null(schema) : schema;
@@ -186,13 +185,13 @@ void FieldSchema::name(std::size_t& /*chosen*/, std::span<const std::string_view
 
 void FieldSchema::pair(std::array<double, 2>& /*value*/, const Pair& pair) {
   double each = 0;
-  const Json item = of([&](FieldVisitor& to) { to.number(each, pair.each); });
+  const OrderedJson item = of([&](FieldVisitor& to) { to.number(each, pair.each); });
   define(pair.name, pair.about, list_of(2, 2, item));
 }
 
 void FieldSchema::vector(Vector3& /*value*/, const Vector& vector) {
   double each = 0;
-  const Json item = of([&](FieldVisitor& to) { to.number(each, vector.each); });
+  const OrderedJson item = of([&](FieldVisitor& to) { to.number(each, vector.each); });
   define(vector.name, vector.about, list_of(3, 3, item));
 }
 
@@ -202,7 +201,7 @@ void FieldSchema::named(std::string_view name, Visit value) { define(name, "", o
 void FieldSchema::described_in(std::string_view where, Visit /*value*/) { schema_["$ref"] = where; }
 
 void FieldSchema::keyed(const Keyed& described_as, std::span<const std::string> keys, VisitElement value) {
-  const Json each = of([&](FieldVisitor& to) { value(to, keys.empty() ? 0 : keys.size() - 1); });
+  const OrderedJson each = of([&](FieldVisitor& to) { value(to, keys.empty() ? 0 : keys.size() - 1); });
   schema_ = {
       {"type", "object"}, {"propertyNames", {{"pattern", described_as.pattern}}}, {"additionalProperties", each}};
 }
@@ -213,7 +212,7 @@ void FieldSchema::bytes(std::size_t /*rows*/, BytesOfRow /*of_row*/) {
 
 namespace {
 
-std::string on_a_line(const Json& json) {
+std::string on_a_line(const OrderedJson& json) {
   if (!json.is_structured()) return json.dump(-1, ' ', false);
   std::string text;
   for (const auto& item : json.items())
@@ -224,7 +223,7 @@ std::string on_a_line(const Json& json) {
 
 }  // namespace
 
-std::string readable(const Json& json, std::size_t indent, std::size_t beside) {
+std::string readable(const OrderedJson& json, std::size_t indent, std::size_t beside) {
   constexpr std::size_t widest = 120;
   const std::string line = on_a_line(json);
   if (!json.is_structured() || indent + line.size() + beside <= widest) return line;
@@ -238,7 +237,7 @@ std::string readable(const Json& json, std::size_t indent, std::size_t beside) {
   return fmt::format("{}\n{}\n{}{}", begin, text, std::string(indent, ' '), end);
 }
 
-Json problem_schema(const Json& rules) {
+OrderedJson problem_schema(const OrderedJson& rules) {
   Problem problem;
   problem.requirements.min_link_angle = default_min_link_angle;
   FieldSchema visitor;
@@ -246,7 +245,7 @@ Json problem_schema(const Json& rules) {
   return visitor.take(rules);
 }
 
-Json result_schema(const Json& rules) {
+OrderedJson result_schema(const OrderedJson& rules) {
   FieldSchema visitor(FieldSchema::Defaults::left_out);
   fields(visitor, ResultRecord{Problem(), MotionAnswer()});
   return visitor.take(rules);
@@ -261,7 +260,7 @@ Shape document() {
 
 }  // namespace
 
-Json analysis_schema(const Json& rules) {
+OrderedJson analysis_schema(const OrderedJson& rules) {
   FieldSchema visitor(FieldSchema::Defaults::left_out);
   std::vector<Shape> documents = {document<LinkageAnalysis>(), document<StoredSixBarAnalysis>(),
                                   document<StoredSphericalAnalysis>(), document<PrescribedInstant>()};

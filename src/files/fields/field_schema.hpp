@@ -1,25 +1,23 @@
 #pragma once
 
-#include <nlohmann/json.hpp>
 #include <string>
 #include <string_view>
 
 #include "fields/field_visitor.hpp"
+#include "files/json/json.hpp"
 
 namespace linkwright {
 
 /// Describes fields as a JSON schema (2020-12). What has a name is a definition of its own.
 class FieldSchema final : public FieldVisitor {
  public:
-  using Json = nlohmann::ordered_json;
-
   /// Without defaults of what is only written.
   enum class Defaults { told, left_out };
   explicit FieldSchema(Defaults defaults = Defaults::told) : defaults_(defaults) {}
 
   /// The schema of what was visited, with its definitions. `rules`: what holds between fields, as a JSON merge patch,
   /// with the schema's own name.
-  [[nodiscard]] Json take(const Json& rules = Json::object());
+  [[nodiscard]] OrderedJson take(const OrderedJson& rules = OrderedJson::object());
 
   bool member(const Field& field, bool is_required, Visit value) override;
   void constant(std::string_view key, std::string_view value) override;
@@ -46,30 +44,30 @@ class FieldSchema final : public FieldVisitor {
   void bytes(std::size_t rows, BytesOfRow of_row) override;
 
  private:
-  Json of(Visit value);
-  Json of(const Number& number) const;
-  void define(std::string_view name, Sentence about, Json schema);
+  OrderedJson of(Visit value);
+  OrderedJson of(const Number& number) const;
+  void define(std::string_view name, Sentence about, OrderedJson schema);
   void alternative(const Object& described, Visit members);
 
   Defaults defaults_;
-  Json schema_ = Json::object();  ///< of the value in hand
-  Json definitions_ = Json::object();
-  std::vector<Json> alternatives_;  ///< of the object in hand
+  OrderedJson schema_ = OrderedJson::object();  ///< of the value in hand
+  OrderedJson definitions_ = OrderedJson::object();
+  std::vector<OrderedJson> alternatives_;  ///< of the object in hand
 };
 
 /// The schema of problem files. `rules`: as of take().
-[[nodiscard]] FieldSchema::Json problem_schema(const FieldSchema::Json& rules = FieldSchema::Json::object());
+[[nodiscard]] OrderedJson problem_schema(const OrderedJson& rules = OrderedJson::object());
 
 /// The schema of result files, likewise.
-[[nodiscard]] FieldSchema::Json result_schema(const FieldSchema::Json& rules = FieldSchema::Json::object());
+[[nodiscard]] OrderedJson result_schema(const OrderedJson& rules = OrderedJson::object());
 
 /// The schema of what `linkwright analyze` and `linkwright tolerance` write, likewise.
-[[nodiscard]] FieldSchema::Json analysis_schema(const FieldSchema::Json& rules = FieldSchema::Json::object());
+[[nodiscard]] OrderedJson analysis_schema(const OrderedJson& rules = OrderedJson::object());
 
 /// As people read it: what fits on a line of 120 characters is on one.
-[[nodiscard]] std::string readable(const FieldSchema::Json& json, std::size_t indent = 0, std::size_t beside = 0);
+[[nodiscard]] std::string readable(const OrderedJson& json, std::size_t indent = 0, std::size_t beside = 0);
 
 /// The definitions of a schema without rules as types of TypeScript, that of the whole under a name.
-[[nodiscard]] std::string typescript(const FieldSchema::Json& schema, std::string_view name);
+[[nodiscard]] std::string typescript(const OrderedJson& schema, std::string_view name);
 
 }  // namespace linkwright

@@ -1,10 +1,10 @@
 #include <algorithm>
 #include <fmt/format.h>
-#include <nlohmann/json.hpp>
 #include <string>
 #include <vector>
 
 #include "field_reader.hpp"
+#include "files/json/json.hpp"
 #include "linkwright/files/nearest_name.hpp"
 
 namespace linkwright {

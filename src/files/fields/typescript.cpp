@@ -8,8 +8,6 @@
 namespace linkwright {
 namespace {
 
-using Json = FieldSchema::Json;
-
 /// "motion_task": MotionTask.
 std::string type_name(std::string_view definition) {
   std::string name;
@@ -30,10 +28,10 @@ std::string_view target_of(std::string_view reference) {
 }
 
 struct TypeScript {
-  const Json& definitions;
+  const OrderedJson& definitions;
 
   /// What has no members is told where it stands.
-  [[nodiscard]] static bool has_name(const Json& schema) {
+  [[nodiscard]] static bool has_name(const OrderedJson& schema) {
     return schema.contains("properties") || schema.contains("oneOf") || schema.contains("enum");
   }
 
@@ -43,13 +41,13 @@ struct TypeScript {
     return type(definitions.at(name));
   }
 
-  [[nodiscard]] std::string any(const Json& schemas) const {
+  [[nodiscard]] std::string any(const OrderedJson& schemas) const {
     std::string text;
-    for (const Json& each : schemas) text += (text.empty() ? "" : " | ") + type(each);
+    for (const OrderedJson& each : schemas) text += (text.empty() ? "" : " | ") + type(each);
     return text;
   }
 
-  [[nodiscard]] std::string list(const Json& schema) const {
+  [[nodiscard]] std::string list(const OrderedJson& schema) const {
     const std::string item = type(schema.at("items"));
     const auto count = schema.value("minItems", std::size_t{0});
     constexpr std::size_t longest_tuple = 4;
@@ -61,9 +59,9 @@ struct TypeScript {
     return fmt::format("readonly [{}]", items);
   }
 
-  [[nodiscard]] std::string members(const Json& schema) const {
+  [[nodiscard]] std::string members(const OrderedJson& schema) const {
     std::string text;
-    const Json required = schema.value("required", Json::array());
+    const OrderedJson required = schema.value("required", OrderedJson::array());
     for (const auto& [key, member] : schema.at("properties").items()) {
       if (member.contains("description"))
         text += fmt::format("/** {} */\n", member.at("description").get_ref<const std::string&>());
@@ -73,7 +71,7 @@ struct TypeScript {
     return fmt::format("{{\n{}}}", text);
   }
 
-  [[nodiscard]] std::string object(const Json& schema) const {
+  [[nodiscard]] std::string object(const OrderedJson& schema) const {
     const bool has_members = schema.contains("properties");
     if (schema.contains("propertyNames"))
       return fmt::format("Readonly<Record<string, {}>>", type(schema.at("additionalProperties")));
@@ -82,12 +80,12 @@ struct TypeScript {
     return has_members ? fmt::format("{} & ({})", members(schema), alternatives) : alternatives;
   }
 
-  [[nodiscard]] std::string type(const Json& schema) const {
+  [[nodiscard]] std::string type(const OrderedJson& schema) const {
     if (schema.contains("$ref")) return reference(schema.at("$ref").get_ref<const std::string&>());
     if (schema.contains("const")) return schema.at("const").dump();
     if (schema.contains("enum")) {
       std::string names;
-      for (const Json& each : schema.at("enum")) names += (names.empty() ? "" : " | ") + each.dump();
+      for (const OrderedJson& each : schema.at("enum")) names += (names.empty() ? "" : " | ") + each.dump();
       return names;
     }
     if (schema.contains("anyOf")) return any(schema.at("anyOf"));
@@ -95,7 +93,7 @@ struct TypeScript {
     return type(schema, schema.at("type"));
   }
 
-  [[nodiscard]] std::string type(const Json& schema, const Json& kind) const {
+  [[nodiscard]] std::string type(const OrderedJson& schema, const OrderedJson& kind) const {
     if (kind.is_array()) return fmt::format("{} | null", type(schema, kind.front()));
     if (kind == "array") return list(schema);
     if (kind == "object") return object(schema);
@@ -119,10 +117,10 @@ std::string indented(std::string_view text) {
 
 }  // namespace
 
-std::string typescript(const Json& schema, std::string_view name) {
+std::string typescript(const OrderedJson& schema, std::string_view name) {
   const TypeScript types{schema.at("$defs")};
   std::string text;
-  const auto define = [&](std::string_view type, const Json& definition) {
+  const auto define = [&](std::string_view type, const OrderedJson& definition) {
     const std::string written = types.type(definition);
     const bool is_interface = written.starts_with('{') && !definition.contains("oneOf");
     if (definition.contains("description"))

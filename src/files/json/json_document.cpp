@@ -2,11 +2,11 @@
 
 #include <algorithm>
 #include <fmt/format.h>
-#include <nlohmann/json.hpp>
 #include <optional>
 #include <string>
 #include <utility>
 
+#include "files/json/json.hpp"
 #include "json_scan.hpp"
 #include "linkwright/files/nearest_name.hpp"
 #include "mistakes.hpp"
@@ -14,10 +14,8 @@
 namespace linkwright {
 namespace {
 
-using nlohmann::json;
-
 /// Builds the tree from the parser's events, knows where it is, and notes what a tree would hide: keys given twice.
-class TreeBuilder final : public nlohmann::json_sax<json> {
+class TreeBuilder final : public nlohmann::json_sax<Json> {
  public:
   TreeBuilder(std::string_view text, const JsonLimits& limits, Mistakes& mistakes)
       : text_(text), limits_(limits), mistakes_(mistakes) {}
@@ -29,35 +27,35 @@ class TreeBuilder final : public nlohmann::json_sax<json> {
   bool number_float(number_float_t value, const string_t& /*text*/) override { return put(value); }
   bool string(string_t& value) override { return put(std::move(value)); }
   bool binary(binary_t& /*value*/) override { return false; }  // JSON has none
-  bool start_object(std::size_t /*size*/) override { return open(json::object()); }
-  bool start_array(std::size_t /*size*/) override { return open(json::array()); }
+  bool start_object(std::size_t /*size*/) override { return open(Json::object()); }
+  bool start_array(std::size_t /*size*/) override { return open(Json::array()); }
   bool end_object() override { return close(); }
   bool end_array() override { return close(); }
   bool key(string_t& value) override;
-  bool parse_error(std::size_t position, const std::string& token, const json::exception& exception) override;
+  bool parse_error(std::size_t position, const std::string& token, const Json::exception& exception) override;
 
-  [[nodiscard]] json take() { return std::move(root_); }
+  [[nodiscard]] Json take() { return std::move(root_); }
 
  private:
   struct Level {
-    json* container = nullptr;  ///< null inside what is dropped
+    Json* container = nullptr;  ///< null inside what is dropped
     std::string key;
     std::size_t index = 0;
     bool drop = false;  ///< the member that comes next
   };
 
-  bool put(json value);
-  bool open(json container);
+  bool put(Json value);
+  bool open(Json container);
   bool close();
   bool advance();
-  json* place_value(json&& value);
+  Json* place_value(Json&& value);
   [[nodiscard]] std::string place() const;
   [[nodiscard]] bool is_kept(const std::string& key) const;
 
   std::string_view text_;
   const JsonLimits& limits_;
   Mistakes& mistakes_;
-  json root_;
+  Json root_;
   std::vector<Level> levels_;
 };
 
@@ -67,7 +65,7 @@ bool TreeBuilder::is_kept(const std::string& key) const {
 }
 
 /// Puts a value where the parser is; the value's new home, or null where it is dropped.
-json* TreeBuilder::place_value(json&& value) {
+Json* TreeBuilder::place_value(Json&& value) {
   if (levels_.empty()) return &(root_ = std::move(value));
   Level& level = levels_.back();
   if (level.container == nullptr || level.drop) return nullptr;
@@ -78,7 +76,7 @@ json* TreeBuilder::place_value(json&& value) {
   return &((*level.container)[level.key] = std::move(value));
 }
 
-bool TreeBuilder::put(json value) {
+bool TreeBuilder::put(Json value) {
   place_value(std::move(value));
   return advance();
 }
@@ -89,7 +87,7 @@ bool TreeBuilder::advance() {
   return true;
 }
 
-bool TreeBuilder::open(json container) {
+bool TreeBuilder::open(Json container) {
   Level level;
   level.container = place_value(std::move(container));
   levels_.push_back(std::move(level));
@@ -190,7 +188,7 @@ ParserMessage syntax_saying(char here, std::string_view parsers_words) {
   return says("object key") ? no_key : no_value;
 }
 
-bool TreeBuilder::parse_error(std::size_t position, const std::string& token, const json::exception& exception) {
+bool TreeBuilder::parse_error(std::size_t position, const std::string& token, const Json::exception& exception) {
   constexpr int number_overflow = 406;
   if (exception.id == number_overflow) {
     mistakes_.add("number_too_large", place(),
@@ -211,12 +209,12 @@ bool TreeBuilder::parse_error(std::size_t position, const std::string& token, co
 
 }  // namespace
 
-Result<nlohmann::json> parse_json(std::string_view text, const JsonLimits& limits) {
+Result<Json> parse_json(std::string_view text, const JsonLimits& limits) {
   if (auto error = scan_json(text, limits)) return *std::move(error);
   Mistakes mistakes;
   TreeBuilder builder(text, limits, mistakes);
   constexpr bool strict = true, ignore_comments = true;
-  json::sax_parse(text.begin(), text.end(), &builder, json::input_format_t::json, strict, ignore_comments);
+  Json::sax_parse(text.begin(), text.end(), &builder, Json::input_format_t::json, strict, ignore_comments);
   if (!mistakes.empty()) return mistakes.take();
   return builder.take();
 }

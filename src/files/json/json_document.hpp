@@ -1,10 +1,10 @@
 #pragma once
 
 #include <functional>
-#include <nlohmann/json_fwd.hpp>
 #include <string_view>
 #include <vector>
 
+#include "files/json/json_fwd.hpp"
 #include "linkwright/core/result.hpp"
 
 namespace linkwright {
@@ -19,6 +19,6 @@ struct JsonLimits {
 /// A JSON text with `//` comments as a tree, or all that is wrong with it as JSON: size, nesting, characters, syntax
 /// (with line and column), numbers too large for a double, keys given twice. Nothing is thrown and nothing recurses
 /// deeper than the nesting allowed. A byte order mark is skipped.
-[[nodiscard]] Result<nlohmann::json> parse_json(std::string_view text, const JsonLimits& limits);
+[[nodiscard]] Result<Json> parse_json(std::string_view text, const JsonLimits& limits);
 
 }  // namespace linkwright

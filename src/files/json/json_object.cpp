@@ -3,15 +3,15 @@
 #include <algorithm>
 #include <cmath>
 #include <fmt/format.h>
-#include <nlohmann/json.hpp>
 #include <vector>
 
+#include "files/json/json.hpp"
 #include "linkwright/files/nearest_name.hpp"
 
 namespace linkwright {
 namespace {
 
-Wanted type_of(const nlohmann::json& value) {
+Wanted type_of(const Json& value) {
   if (value.is_number()) return {"number", "a number"};
   if (value.is_string()) return {"text", "a text"};
   if (value.is_boolean()) return {value.get<bool>() ? "true" : "false"};
@@ -95,12 +95,12 @@ bool JsonValue::for_each(Wanted what, const std::function<void(const JsonValue&)
     return false;
   }
   std::size_t index = 0;
-  for (const nlohmann::json& item : *value_) element({item, fmt::format("{}[{}]", place_, index++), *mistakes_});
+  for (const Json& item : *value_) element({item, fmt::format("{}[{}]", place_, index++), *mistakes_});
   return true;
 }
 
 std::optional<Point> JsonValue::as_pair(Wanted form) const {
-  const auto is_number = [](const nlohmann::json& item) { return item.is_number(); };
+  const auto is_number = [](const Json& item) { return item.is_number(); };
   if (!value_->is_array() || value_->size() != 2 || std::none_of(value_->begin(), value_->end(), is_number)) {
     mistake("two_numbers", fmt::format("two numbers {} belong here", form.words), {{"form", form.name}});
     return std::nullopt;

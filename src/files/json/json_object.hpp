@@ -2,13 +2,13 @@
 
 #include <functional>
 #include <initializer_list>
-#include <nlohmann/json_fwd.hpp>
 #include <optional>
 #include <span>
 #include <string>
 #include <string_view>
 
 #include "fields/field_visitor.hpp"
+#include "files/json/json_fwd.hpp"
 #include "linkwright/algebra/point.hpp"
 #include "mistakes.hpp"
 
@@ -18,10 +18,10 @@ namespace linkwright {
 /// mistake and gives nothing.
 class JsonValue {
  public:
-  JsonValue(const nlohmann::json& value, std::string place, Mistakes& mistakes)
+  JsonValue(const Json& value, std::string place, Mistakes& mistakes)
       : value_(&value), place_(std::move(place)), mistakes_(&mistakes) {}
 
-  [[nodiscard]] const nlohmann::json& json() const { return *value_; }
+  [[nodiscard]] const Json& json() const { return *value_; }
   [[nodiscard]] const std::string& place() const { return place_; }
   [[nodiscard]] bool is_null() const;
   [[nodiscard]] bool is_object() const;
@@ -42,7 +42,7 @@ class JsonValue {
   void wrong_type(Wanted wanted) const;
 
  private:
-  const nlohmann::json* value_;
+  const Json* value_;
   std::string place_;
   Mistakes* mistakes_;
 };

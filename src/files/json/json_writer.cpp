@@ -2,8 +2,8 @@
 
 #include <cmath>
 #include <fmt/format.h>
-#include <nlohmann/json.hpp>
 
+#include "files/json/json.hpp"
 #include "linkwright/files/number_text.hpp"
 
 namespace linkwright {
@@ -84,7 +84,7 @@ void JsonWriter::begin_text() {
 
 std::string json_text(std::string_view text) {
   constexpr bool only_ascii = false;
-  return nlohmann::json(text).dump(-1, ' ', only_ascii, nlohmann::json::error_handler_t::replace);
+  return Json(text).dump(-1, ' ', only_ascii, Json::error_handler_t::replace);
 }
 
 std::string json_text_of(FunctionRef<void(JsonWriter&)> write) {

@@ -1,8 +1,9 @@
 #include "linkwright/files/nearest_name.hpp"
 
 #include <algorithm>
-#include <nlohmann/json.hpp>
 #include <vector>
+
+#include "files/json/json.hpp"
 
 namespace linkwright {
 namespace {
@@ -43,7 +44,6 @@ std::string well_formed(std::string_view text) {
   const bool is_ascii =
       std::all_of(text.begin(), text.end(), [](char c) { return static_cast<unsigned char>(c) < 0x80; });
   if (is_ascii) return std::string(text);
-  using Json = nlohmann::json;
   return Json::parse(Json(text).dump(-1, ' ', false, Json::error_handler_t::replace)).get<std::string>();
 }
 

@@ -1,9 +1,9 @@
 #include <cmath>
 #include <fmt/format.h>
-#include <nlohmann/json.hpp>
 #include <vector>
 
 #include "files/fields/field_reader.hpp"
+#include "files/json/json.hpp"
 #include "files/problem_fields.hpp"
 #include "files/vocabulary.hpp"
 #include "linkwright/core/count_text.hpp"

@@ -2,9 +2,9 @@
 #include <array>
 #include <cmath>
 #include <fmt/format.h>
-#include <nlohmann/json.hpp>
 
 #include "files/attitude/space_reader.hpp"
+#include "files/json/json.hpp"
 #include "linkwright/core/angle.hpp"
 #include "linkwright/mechanism/spherical_defects.hpp"
 #include "linkwright/mechanism/spherical_position.hpp"
