@@ -11,8 +11,8 @@
 #include "linkwright/files/nearest_name.hpp"
 #include "linkwright/files/problem_file.hpp"
 #include "linkwright/files/text_file.hpp"
-#include "linkwright/sweep/sweep_table.hpp"
 #include "plan_base.hpp"
+#include "sweep_columns_reader.hpp"
 #include "sweep_schema.hpp"
 
 namespace linkwright {
@@ -97,10 +97,6 @@ std::string no_column(std::string_view name) {
       in_quotes(name), longest_name);
 }
 
-std::string two_columns(std::string_view name) {
-  return fmt::format("two columns would be called {}; give one another \"name\"", in_quotes(name));
-}
-
 void refuse(FieldVisitor& v, std::string_view key, std::string_view why) {
   v.refuse(key, "not_of_this_sampling", fmt::format("\"{}\" {}; remove it", key, why), {{"key", key}});
 }
@@ -134,10 +130,6 @@ class SweepReader {
   void name_fields(FieldVisitor& v, SweepVariable& variable);
   void range_fields(FieldVisitor& v, SweepVariable& variable) const;
   std::vector<Error> count_samples();
-  void keep_field(FieldVisitor& v);
-  void visit_columns(FieldVisitor& v);
-  void keep_named(FieldVisitor& v, const std::vector<KeptColumn>& all);
-  void make_columns();
   void finish(Json sweep);
 
   std::filesystem::path folder_;
@@ -146,8 +138,7 @@ class SweepReader {
   std::shared_ptr<SweepPlan::Base> base_;
   std::optional<Problem> problem_;
   std::set<std::string> pointers_, names_;
-  bool keeps_all_ = false;
-  std::optional<std::vector<SweepColumn>> kept_;  ///< nothing: the usual ones
+  SweepColumnsReader columns_{mistakes_};
 };
 
 Result<SweepPlan> SweepReader::read(const Json& tree) {
@@ -155,7 +146,7 @@ Result<SweepPlan> SweepReader::read(const Json& tree) {
   if (const auto refusal = refuse_version(root)) return *refusal;
   FieldReader reader(root, mistakes_);
   visit_file(reader);
-  if (mistakes_.empty()) make_columns();
+  if (mistakes_.empty()) plan_.columns_ = columns_.columns(*problem_, plan_.variables_);
   if (!mistakes_.empty()) return mistakes_.take();
   finish(tree);
   return std::move(plan_);
@@ -169,7 +160,7 @@ void SweepReader::visit_file(FieldVisitor& v) {
     sampling_field(to);
     vary_field(to);
     to.check([&] { return count_samples(); });
-    keep_field(to);
+    columns_.keep_field(to, problem_, plan_.kept_linkages_);
   });
 }
 
@@ -372,15 +363,6 @@ void values_field(FieldVisitor& v, SweepVariable& variable) {
     v.refuse("values", "no_values", "this list has no values", {});
 }
 
-void visit_kept(FieldVisitor& v, int& linkages) {
-  constexpr int most_kept = SynthesisOptions::max_best;
-  visit(v, linkages, Whole{0, most_kept});
-  if (linkages < 0 || linkages > most_kept)
-    v.mistake("kept_linkages",
-              fmt::format("{} linkages of a sample cannot be kept; write 0 to {}", linkages, most_kept),
-              {{"given", linkages}, {"most", most_kept}});
-}
-
 void check_range(FieldVisitor& v, const SweepVariable& variable) {
   if (!std::isfinite(variable.to - variable.from))
     v.mistake("range_too_wide", "the ends of this range are too far apart for a double; bring them nearer", {});
@@ -439,98 +421,6 @@ std::vector<Error> SweepReader::count_samples() {
     plan_.samples_ *= variable.count;
   }
   return {};
-}
-
-void SweepReader::keep_field(FieldVisitor& v) {
-  const Field linkages("linkages", "How many, the best first: options.best of each sample.");
-  const Field columns("columns",
-                      "Members of a linkage in the result file, such as lengths.ground and input.center_point[0]; all; "
-                      "by default the usual ones.");
-  v.member(Field("keep", "What is kept of the linkages of each sample."), false, [&](FieldVisitor& at) {
-    at.object({}, [&](FieldVisitor& to) {
-      to.member(linkages, false, [&](FieldVisitor& in) { visit_kept(in, plan_.kept_linkages_); });
-      to.member(columns.absent(), false, [&](FieldVisitor& in) { visit_columns(in); });
-    });
-  });
-}
-
-void SweepReader::visit_columns(FieldVisitor& v) {
-  if (!problem_) return;
-  const Wanted wanted = {"sweep_columns", "a list of names, or \"all\""};
-  const std::vector<KeptColumn> all = keepable_columns(*problem_);
-  const auto named = [&](FieldVisitor& to) {
-    kept_.emplace();
-    to.list({.what = wanted, .name = "columns"}, 0, [&](FieldVisitor& in, std::size_t) { keep_named(in, all); });
-  };
-  const std::array shapes = {Shape{JsonType::text, [&](FieldVisitor&) { keeps_all_ = true; }, "all"},
-                             Shape{JsonType::list, named}};
-  v.shapes(0, shapes, wanted);
-}
-
-void SweepReader::keep_named(FieldVisitor& v, const std::vector<KeptColumn>& all) {
-  std::string name;
-  const std::size_t before = mistakes_.size();
-  v.text(name);
-  if (mistakes_.size() != before) return;
-  std::vector<std::string_view> names;
-  for (const KeptColumn& each : all) names.push_back(each.column.name);
-  const auto found = std::find(names.begin(), names.end(), name);
-  if (found == names.end()) {
-    const std::string_view near = nearest_name(name, names);
-    v.mistake("unknown_column",
-              fmt::format("linkages of this problem have no {}{}", in_quotes(name),
-                          near.empty() ? "" : fmt::format("; did you mean {}?", near)),
-              {{"given", in_quotes(name)}, {"nearest", near}});
-  } else if (std::any_of(kept_->begin(), kept_->end(), [&](const SweepColumn& known) { return known.name == name; })) {
-    refuse_given(v, "repeated_column", "{} is kept already", name);
-  } else {
-    kept_->push_back(all[static_cast<std::size_t>(found - names.begin())].column);
-  }
-}
-
-namespace {
-
-/// What a map is counted by.
-void add_counts_of_region(const LinkageClass& linkages, std::vector<SweepColumn>& samples) {
-  samples.insert(samples.end(), {count_column("defect_free", "Of these, free of defects"),
-                                 count_column("meeting_requirements", "Of these, those that meet the requirements"),
-                                 count_column("order", "Linkages with an order defect"),
-                                 count_column("branch", "Linkages with a branch defect"),
-                                 count_column("circuit", "Linkages with a circuit defect")});
-  for (const LinkageType type : linkages.types)
-    samples.push_back(count_column("types." + std::string(name(type)), "Linkages of this type"));
-}
-
-}  // namespace
-
-void SweepReader::make_columns() {
-  constexpr std::size_t status_width = 12, code_width = 48, place_width = 96, message_width = 256;
-  auto& [samples, linkages, failures] = plan_.columns_;
-  samples = {count_column("sample", "Number of the sample, from 0")};
-  for (const SweepVariable& variable : plan_.variables_)
-    samples.push_back(number_column(variable.name, variable.unit, "Varied: " + variable.numbers.front().pointer));
-  samples.insert(samples.end(), {text_column("status", status_width,
-                                             "solved, no_solution, degenerate, or invalid: the values make no problem"),
-                                 text_column("reason", code_width, "Why, by its code; in words in /failures"),
-                                 count_column("linkages", "Linkages kept"),
-                                 count_column("cells", "Linkages of the solution region, or looked at by a search")});
-  if (!is_search(problem_->task)) add_counts_of_region(linkwright::linkages(problem_->task), samples);
-  samples.push_back(number_column("condition", "", "Condition of the task"));
-  samples.push_back(number_column("characteristic_length", problem_->length_unit, "Characteristic length of the task"));
-  linkages = {count_column("sample", "Number of the sample, from 0"),
-              count_column("rank", "Place in the list of its sample, from 1, the best")};
-  for (const KeptColumn& each : keepable_columns(*problem_))
-    if (!kept_ && (each.by_default || keeps_all_)) linkages.push_back(each.column);
-  if (kept_) linkages.insert(linkages.end(), kept_->begin(), kept_->end());
-  failures = {count_column("sample", "Number of the sample, from 0"),
-              text_column("code", code_width, "What is wrong, by its code"),
-              text_column("place", place_width, "Where in the problem; empty: as a whole"),
-              text_column("message", message_width, "The same in words")};
-  for (const SweepVariable& variable : plan_.variables_)
-    for (const auto& column : std::span(samples).subspan(1 + plan_.variables_.size()))
-      if (column.name == variable.name || variable.name == "sample")
-        return mistakes_.add("repeated_column", "vary", two_columns(variable.name),
-                             {{"given", in_quotes(variable.name)}});
 }
 
 void SweepReader::finish(Json sweep) {
