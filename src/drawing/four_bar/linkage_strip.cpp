@@ -4,6 +4,7 @@
 
 #include "drawing/number_rows.hpp"
 #include "drawing/palette.hpp"
+#include "files/axis_label.hpp"
 #include "linkage_figure.hpp"
 #include "linkwright/core/angle.hpp"
 #include "linkwright/files/label.hpp"
@@ -91,24 +92,11 @@ std::string small_angle(double radians) { return fmt::format("{}°", significant
 
 /// What is read at a coordinate of an axis: "β₁ = 258.5°", "number 3", or τ.
 std::string place_text(const FourBarFamily& family, Side side, double tau) {
-  switch (family.axis(side).quantity) {
-    case AxisQuantity::burmester_point:
-      return fmt::format("{}", static_cast<int>(std::floor(tau)) + 1);
-    case AxisQuantity::side_direction:
-    case AxisQuantity::pair_output:
-      return rounded_text(family.axis_value(side, tau), 2) + "°";
-    case AxisQuantity::side_length:
-    case AxisQuantity::output_scale:
-    case AxisQuantity::center_x:
-    case AxisQuantity::center_y:
-    case AxisQuantity::circle_x:
-    case AxisQuantity::circle_y:
-    case AxisQuantity::center_on_line:
-    case AxisQuantity::circle_on_line:
-      return significant_text(family.axis_value(side, tau), 5);
-    default:
-      return rounded_text(tau, 4);
-  }
+  const AxisQuantity quantity = family.axis(side).quantity;
+  if (quantity == AxisQuantity::burmester_point) return fmt::format("{}", static_cast<int>(std::floor(tau)) + 1);
+  if (!has_values(quantity)) return rounded_text(tau, 4);
+  const double value = family.axis_value(side, tau);
+  return is_angle(quantity) ? rounded_text(value, 2) + "°" : significant_text(value, 5);
 }
 
 std::string_view place_name(const FourBarFamily& family) {
