@@ -255,4 +255,15 @@ LINKWRIGHT_INLINE void store(const Value& value, Lane* to) {
   __builtin_memcpy(to, &value, Width * sizeof(Lane));
 }
 
+/// Lanes in which no decision was close.
+template <int Width>
+struct Certainty {
+  Mask sure = all_lanes<Width>;
+
+  /// Of a pack of sizes, in the lanes of `where`. NaN is never large enough.
+  LINKWRIGHT_INLINE void demand(typename Pack<Width>::Real size, double least, Mask where = all_lanes<Width>) {
+    sure &= less<Width>(typename Pack<Width>::Real{} + least, size) | negated<Width>(where);
+  }
+};
+
 }  // namespace linkwright::LINKWRIGHT_ISA

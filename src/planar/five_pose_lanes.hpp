@@ -84,17 +84,6 @@ LINKWRIGHT_INLINE Conic<Real> product(Triple<Real> u, Triple<Real> v) {
           2.0 * u.x * v.x, u.x * v.y + u.y * v.x, 2.0 * u.y * v.y};
 }
 
-/// Lanes in which no decision was close.
-template <int Width>
-struct Certainty {
-  Mask sure = all_lanes<Width>;
-
-  /// Of a pack of sizes, in the lanes of `where`. NaN is never large enough.
-  LINKWRIGHT_INLINE void demand(Real<Width> size, double least = least_margin, Mask where = all_lanes<Width>) {
-    sure &= less<Width>(Real<Width>{} + least, size) | negated<Width>(where);
-  }
-};
-
 // ---- the conditions -------------------------------------------------------------------------------------------------
 
 /// The seven numbers of a row (planar/five_conditions.hpp).
@@ -141,7 +130,7 @@ LINKWRIGHT_INLINE Real<Width> condition_rows(const FivePoseBlock& block, int at,
     sum_a += a_x[j] * a_x[j] + a_y[j] * a_y[j];
     sum_q += 4.0 * half[j].sine * half[j].sine;
   }
-  certainty.demand(sum_q);
+  certainty.demand(sum_q, least_margin);
   certainty.demand(sum_a, 0);
   const R length = square_root<Width>(sum_a / sum_q);
   for (int j = 0; j < 4; ++j) {
@@ -177,7 +166,7 @@ LINKWRIGHT_INLINE NumberSpace<Width> number_space(Row<Width> (&rows)[4], Certain
   three.apply(rows[3]);
   const Reflection<Width, 3> four(rows[3]);
   // The rows have unit length: what is left of each says how far it is independent of those before.
-  for (const R& left : {two.length, three.length, four.length}) certainty.demand(left);
+  for (const R& left : {two.length, three.length, four.length}) certainty.demand(left, least_margin);
   Row<Width> basis[3];
   for (int n = 0; n < 3; ++n) {
     for (int i = 0; i < 7; ++i) basis[n][i] = R{} + (i == 4 + n ? 1.0 : 0.0);
@@ -214,7 +203,7 @@ LINKWRIGHT_INLINE Pencil<Width> pencil_of(const NumberSpace<Width>& space, Certa
   const auto imaginary =
       unit(combined(one, combined(root, product(q, w), minus, product(y, u)), one, product(x, v)), size_of_imaginary);
   const Conic<R> f = unit(combined(one, imaginary, -inner(real, imaginary), real), size_of_rest);
-  certainty.demand(smaller(size_of_rest, smaller(size_of_real, size_of_imaginary)));
+  certainty.demand(smaller(size_of_rest, smaller(size_of_real, size_of_imaginary)), least_margin);
   return {real, f};
 }
 
@@ -269,7 +258,7 @@ LINKWRIGHT_INLINE Real<Width> lone_root(Real<Width> b, Real<Width> c, Real<Width
   R t = -third - with_sign_of<Width>(u, r);
   const auto slope_at = [&](R at) { return (3.0 * at + 2.0 * b) * at + c; };
   t -= (((t + b) * t + c) * t + d) / slope_at(t);
-  certainty.demand(magnitude<Width>(slope_at(t)));
+  certainty.demand(magnitude<Width>(slope_at(t)), least_margin);
   return t;
 }
 
@@ -285,7 +274,7 @@ template <int Width>
 LINKWRIGHT_INLINE LinePair<Width> lines_in(Pencil<Width> pencil, Certainty<Width>& certainty) {
   using R = Real<Width>;
   const auto [cubic] = choose_leading<Width>(pencil);
-  certainty.demand(magnitude<Width>(cubic[0]));
+  certainty.demand(magnitude<Width>(cubic[0]), least_margin);
   const R scale = 1.0 / cubic[0];
   const R t = lone_root<Width>(cubic[1] * scale, cubic[2] * scale, cubic[3] * scale, certainty);
   const R to_f = 1.0 / square_root<Width>(1.0 + t * t), to_e = t * to_f;
@@ -295,7 +284,7 @@ LINKWRIGHT_INLINE LinePair<Width> lines_in(Pencil<Width> pencil, Certainty<Width
   const R w = magnitude<Width>(minors.ww), x = magnitude<Width>(minors.xx), y = magnitude<Width>(minors.yy);
   const Mask by_w = negated<Width>(less<Width>(w, larger(x, y))), by_x = negated<Width>(less<Width>(x, y));
   const R square = select<Width>(by_w, minors.ww, select<Width>(by_x, minors.xx, minors.yy));
-  certainty.demand(magnitude<Width>(square));
+  certainty.demand(magnitude<Width>(square), least_margin);
   const Mask real = less<Width>(square, R{});
   const auto longest = select<Width>(by_w, minors.row_w(), select<Width>(by_x, minors.row_x(), minors.row_y()));
   const auto vertex = 1.0 / square_root<Width>(magnitude<Width>(square)) * longest;

@@ -7,7 +7,7 @@
 // way, down to the linear one: none is missed. What would need a branch makes the lane unsure, and its task goes the
 // careful way.
 
-#include "core/pack.hpp"
+#include "core/pack_vector.hpp"
 #include "spherical/five_orientation_kernel.hpp"
 
 namespace linkwright::LINKWRIGHT_ISA::five_orientations {
@@ -17,44 +17,12 @@ using LINKWRIGHT_ISA::select;
 template <int Width>
 using Real = typename Pack<Width>::Real;
 
-/// Lanes in which no decision was close.
 template <int Width>
-struct Certainty {
-  Mask sure = all_lanes<Width>;
-
-  /// Of a pack of sizes, in the lanes of `where`. NaN is never large enough.
-  LINKWRIGHT_INLINE void demand(Real<Width> size, double least, Mask where = all_lanes<Width>) {
-    sure &= less<Width>(Real<Width>{} + least, size) | negated<Width>(where);
-  }
-};
-
-template <class Real>
-struct Triple {
-  Real x, y, z;
-};
-
-template <class Real>
-LINKWRIGHT_INLINE Triple<Real> operator+(Triple<Real> a, Triple<Real> b) {
-  return {a.x + b.x, a.y + b.y, a.z + b.z};
-}
-template <class Real>
-LINKWRIGHT_INLINE Triple<Real> operator*(Real s, Triple<Real> a) {
-  return {s * a.x, s * a.y, s * a.z};
-}
-template <class Real>
-LINKWRIGHT_INLINE Real dot(Triple<Real> a, Triple<Real> b) {
-  return a.x * b.x + a.y * b.y + a.z * b.z;
-}
-template <class Real>
-LINKWRIGHT_INLINE Triple<Real> cross(Triple<Real> a, Triple<Real> b) {
-  return {a.y * b.z - a.z * b.y, a.z * b.x - a.x * b.z, a.x * b.y - a.y * b.x};
-}
-template <int Width>
-LINKWRIGHT_INLINE Triple<Real<Width>> normalized(Triple<Real<Width>> a) {
+LINKWRIGHT_INLINE Vector3<Real<Width>> normalized(Vector3<Real<Width>> a) {
   return 1.0 / square_root<Width>(dot(a, a)) * a;
 }
 template <int Width>
-LINKWRIGHT_INLINE Triple<Real<Width>> select(Mask mask, Triple<Real<Width>> yes, Triple<Real<Width>> no) {
+LINKWRIGHT_INLINE Vector3<Real<Width>> select(Mask mask, Vector3<Real<Width>> yes, Vector3<Real<Width>> no) {
   return {select<Width>(mask, yes.x, no.x), select<Width>(mask, yes.y, no.y), select<Width>(mask, yes.z, no.z)};
 }
 
@@ -62,14 +30,14 @@ LINKWRIGHT_INLINE Triple<Real<Width>> select(Mask mask, Triple<Real<Width>> yes,
 
 template <class Real>
 struct Matrix {
-  Triple<Real> row[3];
+  Vector3<Real> row[3];
 
-  LINKWRIGHT_INLINE Triple<Real> operator*(Triple<Real> v) const {
+  LINKWRIGHT_INLINE Vector3<Real> operator*(Vector3<Real> v) const {
     return {dot(row[0], v), dot(row[1], v), dot(row[2], v)};
   }
 };
 template <class Real>
-LINKWRIGHT_INLINE Triple<Real> operator*(Triple<Real> v, const Matrix<Real>& a) {
+LINKWRIGHT_INLINE Vector3<Real> operator*(Vector3<Real> v, const Matrix<Real>& a) {
   return v.x * a.row[0] + v.y * a.row[1] + v.z * a.row[2];
 }
 
@@ -80,16 +48,16 @@ LINKWRIGHT_INLINE void conditions_of(const FiveOrientationBlock& block, int at, 
   using R = Real<Width>;
   const auto fetch = [&](int j, int i) { return load<Width>(block.quaternion[j][i] + at); };
   const R first_w = fetch(0, 0);
-  const Triple<R> first = {fetch(0, 1), fetch(0, 2), fetch(0, 3)};
+  const Vector3<R> first = {fetch(0, 1), fetch(0, 2), fetch(0, 3)};
   for (int j = 0; j < 4; ++j) {
     const R there_w = fetch(j + 1, 0);
-    const Triple<R> there = {fetch(j + 1, 1), fetch(j + 1, 2), fetch(j + 1, 3)};
+    const Vector3<R> there = {fetch(j + 1, 1), fetch(j + 1, 2), fetch(j + 1, 3)};
     const R w = there_w * first_w + dot(there, first);
-    const Triple<R> v = first_w * there + -there_w * first + cross(first, there);
+    const Vector3<R> v = first_w * there + -there_w * first + cross(first, there);
     const R square = dot(v, v);
     certainty.demand(square, 1e-6);
     const R size = 1.0 / square_root<Width>(2.0 * square);
-    const Triple<R> p = size * v;
+    const Vector3<R> p = size * v;
     const R x = w * p.x, y = w * p.y, z = w * p.z;
     const R xy = p.x * v.y, yz = p.y * v.z, zx = p.z * v.x, xx = p.x * v.x, yy = p.y * v.y, zz = p.z * v.z;
     d[j] = {{{-yy - zz, xy - z, zx + y}, {xy + z, -zz - xx, yz - x}, {zx - y, yz + x, -xx - yy}}};
@@ -125,7 +93,7 @@ struct CrossForm {
     Minor<Real> form{};
     for (int row = 0; row < 3; ++row) {
       const Real(&q)[6] = component[row];
-      const Triple<Real> l = i.row[row];
+      const Vector3<Real> l = i.row[row];
       form.y3 += l.y * q[3];
       form.y2[0] += l.x * q[3] + l.y * q[1];
       form.y2[1] += l.y * q[4] + l.z * q[3];
@@ -308,7 +276,7 @@ LINKWRIGHT_INLINE Planes<Width> planes_of(const Resultant<Real<Width>>& resultan
 /// The line common to the minors in a plane: (y³, y², y, 1) is the null vector of their coefficients there, the larger
 /// of those that three of the rows give.
 template <int Width>
-LINKWRIGHT_INLINE Triple<Real<Width>> moving_axis(const Minor<Real<Width>> (&minor)[4], Real<Width> x, Real<Width> z) {
+LINKWRIGHT_INLINE Vector3<Real<Width>> moving_axis(const Minor<Real<Width>> (&minor)[4], Real<Width> x, Real<Width> z) {
   using R = Real<Width>;
   R column[4][4];
   for (int row = 0; row < 4; ++row) {
@@ -318,7 +286,7 @@ LINKWRIGHT_INLINE Triple<Real<Width>> moving_axis(const Minor<Real<Width>> (&min
     column[2][row] = (m.y1[0] * x + m.y1[1] * z) * x + m.y1[2] * (z * z);
     column[3][row] = ((m.y0[0] * x + m.y0[1] * z) * x + m.y0[2] * (z * z)) * x + m.y0[3] * (z * z * z);
   }
-  Triple<R> best{};  // y², y, 1
+  Vector3<R> best{};  // y², y, 1
   R longest{};
   for (int without = 0; without < 4; without += 3) {
     const int a = without == 0 ? 1 : 0, b = a + 1, c = a + 2;
@@ -328,8 +296,8 @@ LINKWRIGHT_INLINE Triple<Real<Width>> moving_axis(const Minor<Real<Width>> (&min
     const auto of = [&](int k, R bc, R ac, R ab) { return column[k][a] * bc - column[k][b] * ac + column[k][c] * ab; };
     const R high_bc = minor_of(0, 1, b, c), high_ac = minor_of(0, 1, a, c), high_ab = minor_of(0, 1, a, b);
     const R low_bc = minor_of(2, 3, b, c), low_ac = minor_of(2, 3, a, c), low_ab = minor_of(2, 3, a, b);
-    const Triple<R> null = {of(0, low_bc, low_ac, low_ab), -of(3, high_bc, high_ac, high_ab),
-                            of(2, high_bc, high_ac, high_ab)};
+    const Vector3<R> null = {of(0, low_bc, low_ac, low_ab), -of(3, high_bc, high_ac, high_ab),
+                             of(2, high_bc, high_ac, high_ab)};
     const R length = dot(null, null);
     const Mask longer = less<Width>(longest, length);
     best = select<Width>(longer, null, best);
@@ -337,18 +305,18 @@ LINKWRIGHT_INLINE Triple<Real<Width>> moving_axis(const Minor<Real<Width>> (&min
   }
   const Mask steep = less<Width>(magnitude<Width>(best.z), magnitude<Width>(best.y));
   const R one = select<Width>(steep, best.y, best.z), y = select<Width>(steep, best.x, best.y);
-  return normalized<Width>(Triple<R>{x * one, y, z * one});
+  return normalized<Width>(Vector3<R>{x * one, y, z * one});
 }
 
 /// The normal of the two vectors DⱼW that span most.
 template <int Width>
-LINKWRIGHT_INLINE Triple<Real<Width>> fixed_axis(const Matrix<Real<Width>> (&d)[4], Triple<Real<Width>> moving) {
+LINKWRIGHT_INLINE Vector3<Real<Width>> fixed_axis(const Matrix<Real<Width>> (&d)[4], Vector3<Real<Width>> moving) {
   using R = Real<Width>;
-  Triple<R> image[4], best{};
+  Vector3<R> image[4], best{};
   R longest{};
   for (int j = 0; j < 4; ++j) image[j] = d[j] * moving;
   for (const auto& pair : row_pairs) {
-    const Triple<R> normal = cross(image[pair.r], image[pair.s]);
+    const Vector3<R> normal = cross(image[pair.r], image[pair.s]);
     const R length = dot(normal, normal);
     const Mask longer = less<Width>(longest, length);
     best = select<Width>(longer, normal, best);
@@ -359,10 +327,10 @@ LINKWRIGHT_INLINE Triple<Real<Width>> fixed_axis(const Matrix<Real<Width>> (&d)[
 
 template <int Width>
 struct Tangents {
-  Triple<Real<Width>> u, v;
+  Vector3<Real<Width>> u, v;
 
   /// Of a unit vector (T. Duff et al., Building an Orthonormal Basis, Revisited, 2017).
-  LINKWRIGHT_INLINE explicit Tangents(Triple<Real<Width>> at) {
+  LINKWRIGHT_INLINE explicit Tangents(Vector3<Real<Width>> at) {
     using R = Real<Width>;
     const R sign = with_sign_of<Width>(R{} + 1.0, at.z), part = -1.0 / (sign + at.z), mixed = at.x * at.y * part;
     u = {1.0 + sign * at.x * at.x * part, sign * mixed, -sign * at.x};
@@ -372,13 +340,13 @@ struct Tangents {
 
 /// One of Newton's steps on the four conditions, by Cramer's rule. Gives its length.
 template <int Width>
-LINKWRIGHT_INLINE Real<Width> correct(const Matrix<Real<Width>> (&d)[4], Triple<Real<Width>>& fixed,
-                                      Triple<Real<Width>>& moving) {
+LINKWRIGHT_INLINE Real<Width> correct(const Matrix<Real<Width>> (&d)[4], Vector3<Real<Width>>& fixed,
+                                      Vector3<Real<Width>>& moving) {
   using R = Real<Width>;
   const Tangents<Width> of_fixed(fixed), of_moving(moving);
   R slope[4][4], value[4];
   for (int k = 0; k < 4; ++k) {
-    const Triple<R> dw = d[k] * moving, gd = fixed * d[k];
+    const Vector3<R> dw = d[k] * moving, gd = fixed * d[k];
     value[k] = dot(fixed, dw);
     slope[0][k] = dot(of_fixed.u, dw);
     slope[1][k] = dot(of_fixed.v, dw);
@@ -403,7 +371,7 @@ LINKWRIGHT_INLINE Real<Width> correct(const Matrix<Real<Width>> (&d)[4], Triple<
 }
 
 template <int Width>
-LINKWRIGHT_INLINE void put(Triple<Real<Width>> axis, double (&to)[3][FiveOrientationBlock::size], int at) {
+LINKWRIGHT_INLINE void put(Vector3<Real<Width>> axis, double (&to)[3][FiveOrientationBlock::size], int at) {
   store<Width>(axis.x, to[0] + at);
   store<Width>(axis.y, to[1] + at);
   store<Width>(axis.z, to[2] + at);
@@ -418,12 +386,12 @@ LINKWRIGHT_INLINE void five_of(FiveOrientationBlock& block, int at) {
   const CrossForm<R> ab(d[0], d[1]), cd(d[2], d[3]);
   const Minor<R> minors[4] = {ab.along(d[2]), ab.along(d[3]), cd.along(d[0]), cd.along(d[1])};
   const Planes<Width> planes = planes_of<Width>(Resultant<R>(minors), certainty);
-  Triple<R> moving[6];
+  Vector3<R> moving[6];
   for (int i = 0; i < planes.most; ++i) {
     const Mask real = planes.real[i];
     moving[i] = moving_axis<Width>(minors, load<Width>(planes.x[i]), load<Width>(planes.z[i]));
-    Triple<R> fixed = fixed_axis<Width>(d, moving[i]);
-    const Triple<R> before = moving[i];
+    Vector3<R> fixed = fixed_axis<Width>(d, moving[i]);
+    const Vector3<R> before = moving[i];
     correct<Width>(d, fixed, moving[i]);
     certainty.demand(1e-9 - correct<Width>(d, fixed, moving[i]), 0, real);
     certainty.demand(magnitude<Width>(dot(before, moving[i])), 1 - 1e-6, real);
