@@ -4,7 +4,7 @@
 // instruction set. The method is that of burmester_points() (docs/theory/planar.md, section 10), without branches: what
 // would need one makes the lane unsure, and its task goes the careful way.
 
-#include "core/pack.hpp"
+#include "core/pack_vector.hpp"
 #include "planar/five_pose_kernel.hpp"
 
 namespace linkwright::LINKWRIGHT_ISA {
@@ -19,69 +19,39 @@ inline constexpr double least_margin = 1e-3;
 /// Beyond it sine_cosine loses digits.
 inline constexpr double largest_angle = 1e5;
 
-template <class Real>
-struct Triple {
-  Real w, x, y;
-};
-
-template <class Real>
-LINKWRIGHT_INLINE Triple<Real> operator+(Triple<Real> a, Triple<Real> b) {
-  return {a.w + b.w, a.x + b.x, a.y + b.y};
-}
-template <class Real>
-LINKWRIGHT_INLINE Triple<Real> operator*(Real s, Triple<Real> a) {
-  return {s * a.w, s * a.x, s * a.y};
-}
-template <class Real>
-LINKWRIGHT_INLINE Real dot(Triple<Real> a, Triple<Real> b) {
-  return a.w * b.w + a.x * b.x + a.y * b.y;
-}
-template <class Real>
-LINKWRIGHT_INLINE Triple<Real> cross(Triple<Real> a, Triple<Real> b) {
-  return {a.x * b.y - a.y * b.x, a.y * b.w - a.w * b.y, a.w * b.x - a.x * b.w};
-}
-template <int Width>
-LINKWRIGHT_INLINE Triple<Real<Width>> normalized(Triple<Real<Width>> a) {
-  return 1.0 / square_root<Width>(dot(a, a)) * a;
-}
-template <int Width>
-LINKWRIGHT_INLINE Triple<Real<Width>> select(Mask mask, Triple<Real<Width>> yes, Triple<Real<Width>> no) {
-  return {select<Width>(mask, yes.w, no.w), select<Width>(mask, yes.x, no.x), select<Width>(mask, yes.y, no.y)};
-}
-
 /// Symmetric matrix.
 template <class Real>
 struct Conic {
-  Real ww, wx, wy, xx, xy, yy;
+  Real xx, xy, xz, yy, yz, zz;
 
-  LINKWRIGHT_INLINE Triple<Real> row_w() const { return {ww, wx, wy}; }
-  LINKWRIGHT_INLINE Triple<Real> row_x() const { return {wx, xx, xy}; }
-  LINKWRIGHT_INLINE Triple<Real> row_y() const { return {wy, xy, yy}; }
-  LINKWRIGHT_INLINE Triple<Real> operator*(Triple<Real> v) const {
-    return {dot(row_w(), v), dot(row_x(), v), dot(row_y(), v)};
+  LINKWRIGHT_INLINE Vector3<Real> row_x() const { return {xx, xy, xz}; }
+  LINKWRIGHT_INLINE Vector3<Real> row_y() const { return {xy, yy, yz}; }
+  LINKWRIGHT_INLINE Vector3<Real> row_z() const { return {xz, yz, zz}; }
+  LINKWRIGHT_INLINE Vector3<Real> operator*(Vector3<Real> v) const {
+    return {dot(row_x(), v), dot(row_y(), v), dot(row_z(), v)};
   }
 };
 
 template <class Real>
 LINKWRIGHT_INLINE Conic<Real> combined(Real s, const Conic<Real>& a, Real t, const Conic<Real>& b) {
-  return {s * a.ww + t * b.ww, s * a.wx + t * b.wx, s * a.wy + t * b.wy,
-          s * a.xx + t * b.xx, s * a.xy + t * b.xy, s * a.yy + t * b.yy};
+  return {s * a.xx + t * b.xx, s * a.xy + t * b.xy, s * a.xz + t * b.xz,
+          s * a.yy + t * b.yy, s * a.yz + t * b.yz, s * a.zz + t * b.zz};
 }
 template <class Real>
 LINKWRIGHT_INLINE Real inner(const Conic<Real>& a, const Conic<Real>& b) {
-  return a.ww * b.ww + a.xx * b.xx + a.yy * b.yy + 2.0 * (a.wx * b.wx + a.wy * b.wy + a.xy * b.xy);
+  return a.xx * b.xx + a.yy * b.yy + a.zz * b.zz + 2.0 * (a.xy * b.xy + a.xz * b.xz + a.yz * b.yz);
 }
 /// Determinant times inverse.
 template <class Real>
 LINKWRIGHT_INLINE Conic<Real> adjugate(const Conic<Real>& m) {
-  return {m.xx * m.yy - m.xy * m.xy, m.wy * m.xy - m.wx * m.yy, m.wx * m.xy - m.wy * m.xx,
-          m.ww * m.yy - m.wy * m.wy, m.wx * m.wy - m.ww * m.xy, m.ww * m.xx - m.wx * m.wx};
+  return {m.yy * m.zz - m.yz * m.yz, m.xz * m.yz - m.xy * m.zz, m.xy * m.yz - m.xz * m.yy,
+          m.xx * m.zz - m.xz * m.xz, m.xy * m.xz - m.xx * m.yz, m.xx * m.yy - m.xy * m.xy};
 }
 /// The product of two linear forms, times 2.
 template <class Real>
-LINKWRIGHT_INLINE Conic<Real> product(Triple<Real> u, Triple<Real> v) {
-  return {2.0 * u.w * v.w, u.w * v.x + u.x * v.w, u.w * v.y + u.y * v.w,
-          2.0 * u.x * v.x, u.x * v.y + u.y * v.x, 2.0 * u.y * v.y};
+LINKWRIGHT_INLINE Conic<Real> product(Vector3<Real> u, Vector3<Real> v) {
+  return {2.0 * u.x * v.x, u.x * v.y + u.y * v.x, u.x * v.z + u.z * v.x,
+          2.0 * u.y * v.y, u.y * v.z + u.z * v.y, 2.0 * u.z * v.z};
 }
 
 // ---- the conditions -------------------------------------------------------------------------------------------------
@@ -152,7 +122,7 @@ LINKWRIGHT_INLINE Real<Width> condition_rows(const FivePoseBlock& block, int at,
 /// The numbers that meet the rows, linear in three parameters: a vector of parameters each.
 template <int Width>
 struct NumberSpace {
-  Triple<Real<Width>> number[7];
+  Vector3<Real<Width>> number[7];
 };
 
 template <int Width>
@@ -216,8 +186,8 @@ struct Cubic {
 template <int Width>
 LINKWRIGHT_INLINE Cubic<Width> determinant_of(const Pencil<Width>& pencil) {
   const auto of_e = adjugate(pencil.e), of_f = adjugate(pencil.f);
-  return {dot(pencil.e.row_w(), of_e.row_w()), inner(of_e, pencil.f), inner(of_f, pencil.e),
-          dot(pencil.f.row_w(), of_f.row_w())};
+  return {dot(pencil.e.row_x(), of_e.row_x()), inner(of_e, pencil.f), inner(of_f, pencil.e),
+          dot(pencil.f.row_x(), of_f.row_x())};
 }
 
 /// Turns the basis of the pencil so that the leading coefficient of its cubic is as large as it can be at a multiple of
@@ -265,7 +235,7 @@ LINKWRIGHT_INLINE Real<Width> lone_root(Real<Width> b, Real<Width> c, Real<Width
 /// Two lines that meet another conic where all conics of the pencil meet.
 template <int Width>
 struct LinePair {
-  Triple<Real<Width>> line[2];  ///< unit vectors
+  Vector3<Real<Width>> line[2];  ///< unit vectors
   Conic<Real<Width>> other;
   Mask real;
 };
@@ -281,44 +251,41 @@ LINKWRIGHT_INLINE LinePair<Width> lines_in(Pencil<Width> pencil, Certainty<Width
   const Conic<R> pair = combined(to_e, pencil.e, to_f, pencil.f), other = combined(to_f, pencil.e, -to_e, pencil.f);
   // The minors of l mᵀ + m lᵀ are those of its vertex l × m, against the sign of the square.
   const Conic<R> minors = adjugate(pair);
-  const R w = magnitude<Width>(minors.ww), x = magnitude<Width>(minors.xx), y = magnitude<Width>(minors.yy);
-  const Mask by_w = negated<Width>(less<Width>(w, larger(x, y))), by_x = negated<Width>(less<Width>(x, y));
-  const R square = select<Width>(by_w, minors.ww, select<Width>(by_x, minors.xx, minors.yy));
+  const R x = magnitude<Width>(minors.xx), y = magnitude<Width>(minors.yy), z = magnitude<Width>(minors.zz);
+  const Mask by_x = negated<Width>(less<Width>(x, larger(y, z))), by_y = negated<Width>(less<Width>(y, z));
+  const R square = select<Width>(by_x, minors.xx, select<Width>(by_y, minors.yy, minors.zz));
   certainty.demand(magnitude<Width>(square), least_margin);
   const Mask real = less<Width>(square, R{});
-  const auto longest = select<Width>(by_w, minors.row_w(), select<Width>(by_x, minors.row_x(), minors.row_y()));
+  const auto longest = select<Width>(by_x, minors.row_x(), select<Width>(by_y, minors.row_y(), minors.row_z()));
   const auto vertex = 1.0 / square_root<Width>(magnitude<Width>(square)) * longest;
   // A pair of complex lines has its vertex for the one real point, which the other conic must miss.
   certainty.demand(magnitude<Width>(dot(vertex, other * vertex)), least_margin, negated<Width>(real));
   // The pair of lines and the cross product with its vertex make l mᵀ or m lᵀ.
-  const Triple<R> rows[3] = {{pair.ww, pair.wx - vertex.y, pair.wy + vertex.x},
-                             {pair.wx + vertex.y, pair.xx, pair.xy - vertex.w},
-                             {pair.wy - vertex.x, pair.xy + vertex.w, pair.yy}};
+  const Vector3<R> rows[3] = {{pair.xx, pair.xy - vertex.z, pair.xz + vertex.y},
+                              {pair.xy + vertex.z, pair.yy, pair.yz - vertex.x},
+                              {pair.xz - vertex.y, pair.yz + vertex.x, pair.zz}};
   const R first = dot(rows[0], rows[0]), second = dot(rows[1], rows[1]), third = dot(rows[2], rows[2]);
   const Mask by_first = negated<Width>(less<Width>(first, larger(second, third)));
   const Mask by_second = negated<Width>(less<Width>(second, third));
   const auto m = select<Width>(by_first, rows[0], select<Width>(by_second, rows[1], rows[2]));
-  const Triple<R> l = {dot(rows[0], m), dot(rows[1], m), dot(rows[2], m)};
+  const Vector3<R> l = {dot(rows[0], m), dot(rows[1], m), dot(rows[2], m)};
   return {{normalized<Width>(l), normalized<Width>(m)}, other, real};
 }
 
 /// Two points of the parameters' plane and where they are real.
 template <int Width>
 struct PointPair {
-  Triple<Real<Width>> point[2];
+  Vector3<Real<Width>> point[2];
   Mask real;
 };
 
-/// Where a line meets a conic: a s² + 2b st + c t² = 0 on an orthonormal basis of the line (T. Duff et al., Building an
-/// Orthonormal Basis, Revisited, 2017), in the lanes of `real`.
+/// Where a line meets a conic: a s² + 2b st + c t² = 0 on an orthonormal basis of the line, in the lanes of `real`.
 template <int Width>
-LINKWRIGHT_INLINE PointPair<Width> cut(Triple<Real<Width>> line, const Conic<Real<Width>>& conic, Mask real,
+LINKWRIGHT_INLINE PointPair<Width> cut(Vector3<Real<Width>> line, const Conic<Real<Width>>& conic, Mask real,
                                        Certainty<Width>& certainty) {
   using R = Real<Width>;
-  const R sign = with_sign_of<Width>(R{} + 1.0, line.y), part = -1.0 / (sign + line.y), mixed = line.w * line.x * part;
-  const Triple<R> u = {1.0 + sign * line.w * line.w * part, sign * mixed, -sign * line.w};
-  const Triple<R> v = {mixed, sign + line.x * line.x * part, -line.x};
-  const Triple<R> image = conic * u;
+  const auto [u, v] = Tangents<Width>(line);
+  const Vector3<R> image = conic * u;
   const R a = dot(u, image), b = dot(v, image), c = dot(v, conic * v);
   const R discriminant = b * b - a * c, distance = magnitude<Width>(discriminant);
   const R spread = (a - c) * (a - c) * 0.25 + b * b + distance;
@@ -331,8 +298,8 @@ LINKWRIGHT_INLINE PointPair<Width> cut(Triple<Real<Width>> line, const Conic<Rea
 
 /// A Newton step on both conics, square to the point; |det(∂E, ∂F, point)| must not be small.
 template <int Width>
-LINKWRIGHT_INLINE Triple<Real<Width>> corrected(Triple<Real<Width>> point, const Pencil<Width>& pencil, Mask real,
-                                                Certainty<Width>& certainty) {
+LINKWRIGHT_INLINE Vector3<Real<Width>> corrected(Vector3<Real<Width>> point, const Pencil<Width>& pencil, Mask real,
+                                                 Certainty<Width>& certainty) {
   using R = Real<Width>;
   const auto by_e = pencil.e * point, by_f = pencil.f * point;
   const auto from_e = cross(by_f, point), from_f = cross(point, by_e);
@@ -346,21 +313,14 @@ LINKWRIGHT_INLINE Triple<Real<Width>> corrected(Triple<Real<Width>> point, const
 
 /// The point of a complex pair (w, z) known up to a complex factor, which a real w takes away.
 template <class Real>
-LINKWRIGHT_INLINE Triple<Real> point_of(Real w_x, Real w_y, Real z_x, Real z_y) {
+LINKWRIGHT_INLINE Vector3<Real> point_of(Real w_x, Real w_y, Real z_x, Real z_y) {
   return {w_x * w_x + w_y * w_y, z_x * w_x + z_y * w_y, z_y * w_x - z_x * w_y};
-}
-
-template <int Width>
-LINKWRIGHT_INLINE void put(Triple<Real<Width>> point, double (&to)[3][FivePoseBlock::size], int at) {
-  store<Width>(point.w, to[0] + at);
-  store<Width>(point.x, to[1] + at);
-  store<Width>(point.y, to[2] + at);
 }
 
 /// [[w w′, w C̄], [z w′, z C̄]] is the product of the columns (w, z) and (w′, C̄): each row and each column of it names a
 /// point, the longer the better.
 template <int Width>
-LINKWRIGHT_INLINE void put_dyad(const NumberSpace<Width>& space, Triple<Real<Width>> parameters, Mask real,
+LINKWRIGHT_INLINE void put_dyad(const NumberSpace<Width>& space, Vector3<Real<Width>> parameters, Mask real,
                                 FivePoseBlock& block, int place, int at, Certainty<Width>& certainty) {
   using R = Real<Width>;
   R n[7];
@@ -373,10 +333,10 @@ LINKWRIGHT_INLINE void put_dyad(const NumberSpace<Width>& space, Triple<Real<Wid
   const Mask by_center = negated<Width>(less<Width>(finite_center, far_center));
   const Mask by_circle = negated<Width>(less<Width>(finite_circle, far_circle));
   const R factor = with_sign_of<Width>(R{} + 1.0, w);
-  const auto circle = select<Width>(by_center, factor * Triple<R>{w, n[2], n[3]}, point_of<R>(n[4], -n[5], p_x, p_y));
-  const auto center = select<Width>(by_circle, factor * Triple<R>{w, n[4], n[5]}, point_of<R>(n[2], -n[3], p_x, -p_y));
-  put<Width>(normalized<Width>(circle), block.circle[place], at);
-  put<Width>(normalized<Width>(center), block.center[place], at);
+  const auto circle = select<Width>(by_center, factor * Vector3<R>{w, n[2], n[3]}, point_of<R>(n[4], -n[5], p_x, p_y));
+  const auto center = select<Width>(by_circle, factor * Vector3<R>{w, n[4], n[5]}, point_of<R>(n[2], -n[3], p_x, -p_y));
+  store_vector<Width>(normalized<Width>(circle), block.circle[place], at);
+  store_vector<Width>(normalized<Width>(center), block.center[place], at);
   store<Width>(bytes<Width>(real), block.real[place] + at);
 }
 
@@ -388,7 +348,7 @@ LINKWRIGHT_INLINE void five_poses(FivePoseBlock& block, int at) {
   const NumberSpace<Width> space = number_space<Width>(rows, certainty);
   const Pencil<Width> pencil = pencil_of<Width>(space, certainty);
   const LinePair<Width> lines = lines_in<Width>(pencil, certainty);
-  Triple<Real<Width>> points[4];
+  Vector3<Real<Width>> points[4];
   Mask real[4];
   for (int i = 0; i < 2; ++i) {
     const PointPair<Width> met = cut<Width>(lines.line[i], lines.other, lines.real, certainty);

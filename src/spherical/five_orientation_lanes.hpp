@@ -12,19 +12,8 @@
 
 namespace linkwright::LINKWRIGHT_ISA::five_orientations {
 
-using LINKWRIGHT_ISA::select;
-
 template <int Width>
 using Real = typename Pack<Width>::Real;
-
-template <int Width>
-LINKWRIGHT_INLINE Vector3<Real<Width>> normalized(Vector3<Real<Width>> a) {
-  return 1.0 / square_root<Width>(dot(a, a)) * a;
-}
-template <int Width>
-LINKWRIGHT_INLINE Vector3<Real<Width>> select(Mask mask, Vector3<Real<Width>> yes, Vector3<Real<Width>> no) {
-  return {select<Width>(mask, yes.x, no.x), select<Width>(mask, yes.y, no.y), select<Width>(mask, yes.z, no.z)};
-}
 
 // ---- the conditions -------------------------------------------------------------------------------------------------
 
@@ -325,19 +314,6 @@ LINKWRIGHT_INLINE Vector3<Real<Width>> fixed_axis(const Matrix<Real<Width>> (&d)
   return normalized<Width>(best);
 }
 
-template <int Width>
-struct Tangents {
-  Vector3<Real<Width>> u, v;
-
-  /// Of a unit vector (T. Duff et al., Building an Orthonormal Basis, Revisited, 2017).
-  LINKWRIGHT_INLINE explicit Tangents(Vector3<Real<Width>> at) {
-    using R = Real<Width>;
-    const R sign = with_sign_of<Width>(R{} + 1.0, at.z), part = -1.0 / (sign + at.z), mixed = at.x * at.y * part;
-    u = {1.0 + sign * at.x * at.x * part, sign * mixed, -sign * at.x};
-    v = {mixed, sign + at.y * at.y * part, -at.y};
-  }
-};
-
 /// One of Newton's steps on the four conditions, by Cramer's rule. Gives its length.
 template <int Width>
 LINKWRIGHT_INLINE Real<Width> correct(const Matrix<Real<Width>> (&d)[4], Vector3<Real<Width>>& fixed,
@@ -371,13 +347,6 @@ LINKWRIGHT_INLINE Real<Width> correct(const Matrix<Real<Width>> (&d)[4], Vector3
 }
 
 template <int Width>
-LINKWRIGHT_INLINE void put(Vector3<Real<Width>> axis, double (&to)[3][FiveOrientationBlock::size], int at) {
-  store<Width>(axis.x, to[0] + at);
-  store<Width>(axis.y, to[1] + at);
-  store<Width>(axis.z, to[2] + at);
-}
-
-template <int Width>
 LINKWRIGHT_INLINE void five_of(FiveOrientationBlock& block, int at) {
   using R = Real<Width>;
   Certainty<Width> certainty;
@@ -399,8 +368,8 @@ LINKWRIGHT_INLINE void five_of(FiveOrientationBlock& block, int at) {
       const auto apart = cross(moving[k], moving[i]);
       certainty.demand(dot(apart, apart), 1e-6, real);
     }
-    put<Width>(moving[i], block.moving[i], at);
-    put<Width>(fixed, block.fixed[i], at);
+    store_vector<Width>(moving[i], block.moving[i], at);
+    store_vector<Width>(fixed, block.fixed[i], at);
   }
   for (int i = 0; i < 6; ++i) store<Width>(bytes<Width>(planes.real[i]), block.real[i] + at);
   store<Width>(bytes<Width>(certainty.sure), block.sure + at);
