@@ -76,13 +76,14 @@ class FunctionColumns {
     return column;
   }
 
-  /// Columns left out because `progress` was cancelled have no couplers.
+  /// Where `progress` was cancelled, the column at 0 again and again.
   [[nodiscard]] std::vector<Column> along(std::span<const double> tau, int threads,
                                           const Progress& progress = {}) const {
     std::vector<Column> columns(tau.size());
     parallel_for(tau.size(), wanted_.free ? threads : 1, [&](std::size_t begin, std::size_t end) {
       for (std::size_t k = begin; k < end && !progress.is_cancelled(); ++k) columns[k] = at(tau[k]);
     });
+    if (progress.is_cancelled()) columns.assign(tau.size(), at(0));
     return columns;
   }
 

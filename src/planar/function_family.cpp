@@ -179,8 +179,7 @@ FourBarRow FunctionFamily::row_at(double tau, std::span<const Columns::Column> c
 
 void FunctionFamily::fill(RegionMap& map, std::span<const double> input, std::span<const double> output,
                           bool respect_direction, const RegionOptions& options, const Progress& progress) const {
-  std::vector<Columns::Column> columns = columns_->along(output, options.threads, progress);
-  if (progress.is_cancelled()) columns.assign(output.size(), columns_->at(0));
+  const std::vector<Columns::Column> columns = columns_->along(output, options.threads, progress);
   classify_rows(
       map, input, output, [&](std::size_t row) { return row_at(input[row], columns, output, respect_direction); },
       frame().scale, options, progress);

@@ -135,8 +135,7 @@ std::vector<SphericalDyad> SphericalFunctionFamily::polygon(Side side) const {
 void SphericalFunctionFamily::fill(RegionMap& map, std::span<const double> input, std::span<const double> output,
                                    bool respect_direction, const RegionOptions& options,
                                    const Progress& progress) const {
-  std::vector<Columns::Column> columns = columns_->along(output, options.threads, progress);
-  if (progress.is_cancelled()) columns.assign(output.size(), columns_->at(0));
+  const std::vector<Columns::Column> columns = columns_->along(output, options.threads, progress);
   const Turns input_turns = turns_of(task_.pairs, axes_[0], &AnglePair::input);
   std::vector<Turns> output_turns;
   for (const Columns::Column& column : columns)
