@@ -70,20 +70,26 @@ struct Findings {
 /// otherwise nothing.
 [[nodiscard]] std::string found_inside_text(const Findings& found);
 
-struct FourBarAnswer : Findings {
-  TaskFamily given;
-  std::vector<Dyad> samples;              ///< of the curve, fixed frame, by rising τ
-  std::int64_t dyads_left_out = 0;        ///< of the samples: rounding changes their lengths; a warning says so
-  std::vector<FourBarSolution> linkages;  ///< best first
-  /// Five positions: every pair of dyads, whatever its defects, best first; five precision points: every linkage.
-  std::vector<FourBarSolution> pairs;
-  std::vector<MissedBox> missed_boxes;  ///< when no linkage meets the requirements
+/// Of a task whose linkages are pairs of dyads.
+template <class Given, class PairedDyad, class Solution>
+struct PairAnswer : Findings {
+  Given given;
+  std::vector<PairedDyad> samples;  ///< of the curve, fixed frame, by rising coordinate
+  std::vector<Solution> linkages;   ///< best first
+  /// Of few dyads (five positions; on the sphere three, too): every pair, whatever its defects, best first; five
+  /// precision points: every linkage.
+  std::vector<Solution> pairs;
 
   /// What the map is of; null without one.
-  [[nodiscard]] const FourBarFamily* family() const { return given.family.get(); }
-  [[nodiscard]] MapPoint point_of(const FourBarSolution& found) const {
+  [[nodiscard]] const auto* family() const { return given.family.get(); }
+  [[nodiscard]] MapPoint point_of(const Solution& found) const {
     return {found.input.coordinate, found.output.coordinate};
   }
+};
+
+struct FourBarAnswer : PairAnswer<TaskFamily, Dyad, FourBarSolution> {
+  std::int64_t dyads_left_out = 0;      ///< of the samples: rounding changes their lengths; a warning says so
+  std::vector<MissedBox> missed_boxes;  ///< when no linkage meets the requirements
 };
 
 struct MotionAnswer : FourBarAnswer {
@@ -95,20 +101,7 @@ struct FunctionAnswer : FourBarAnswer {
   FunctionTask task;
 };
 
-struct SphericalAnswer : Findings {
-  SphericalTaskFamily given;
-  std::vector<SphericalDyad> samples;       ///< of the curve, by rising coordinate
-  std::vector<SphericalSolution> linkages;  ///< best first
-  /// Three and five positions: every pair of dyads, whatever its defects, best first; five precision points: every
-  /// linkage.
-  std::vector<SphericalSolution> pairs;
-
-  /// What the map is of; null without one.
-  [[nodiscard]] const SphericalFamily* family() const { return given.family.get(); }
-  [[nodiscard]] MapPoint point_of(const SphericalSolution& found) const {
-    return {found.input.coordinate, found.output.coordinate};
-  }
-};
+struct SphericalAnswer : PairAnswer<SphericalTaskFamily, SphericalDyad, SphericalSolution> {};
 
 struct SphericalMotionAnswer : SphericalAnswer {
   SphericalMotionTask task;
