@@ -20,16 +20,6 @@
 namespace linkwright {
 namespace {
 
-// The linkage at a place of the map, driven through; nothing where there is none.
-std::optional<FourBarSolution> linkage_at(const FourBarAnswer& answer, MapPoint place) {
-  constexpr bool verify = true;
-  return make_four_bar(answer.given, place, answer.requirements.respect_direction, verify);
-}
-std::optional<SphericalSolution> linkage_at(const SphericalAnswer& answer, MapPoint place) {
-  constexpr bool verify = true;
-  return make_spherical_four_bar(answer.given, place, answer.requirements.respect_direction, verify);
-}
-
 // Refers to the answer.
 template <class KindAnswer>
 auto making_of(const KindAnswer& answer) {
@@ -221,6 +211,13 @@ Progress part_of(const Progress& progress, double from, double to) {
 }
 
 }  // namespace
+
+std::optional<FourBarSolution> linkage_at(const FourBarAnswer& answer, MapPoint place, bool verify) {
+  return make_four_bar(answer.given, place, answer.requirements.respect_direction, verify);
+}
+std::optional<SphericalSolution> linkage_at(const SphericalAnswer& answer, MapPoint place, bool verify) {
+  return make_spherical_four_bar(answer.given, place, answer.requirements.respect_direction, verify);
+}
 
 void measure_function(FourBarSolution& found, const FunctionFamily& family) { measure_generated(found, family); }
 void measure_function(SphericalSolution& found, const SphericalFunctionFamily& family) {

@@ -1,5 +1,7 @@
 #pragma once
 
+#include <optional>
+
 #include "linkwright/core/progress.hpp"
 #include "linkwright/core/result.hpp"
 #include "linkwright/synthesis/answer.hpp"
@@ -16,6 +18,18 @@ namespace linkwright {
                                                  const SynthesisOptions& options, const Progress& progress = {});
 [[nodiscard]] SphericalFunctionAnswer begin_answer(const SphericalFunctionTask& task, const Requirements& requirements,
                                                    const SynthesisOptions& options, const Progress& progress = {});
+
+/// Why there is no map.
+template <class... Parts>
+[[nodiscard]] Notice no_map(const PairAnswer<Parts...>& known) {
+  return known.given.degeneracy.value_or(Notice{"no_map", "There is no map of this task.", {}});
+}
+
+/// The linkage at a place of the map, with `verify` driven through; nothing where there is none.
+[[nodiscard]] std::optional<FourBarSolution> linkage_at(const FourBarAnswer& answer, MapPoint place,
+                                                        bool verify = true);
+[[nodiscard]] std::optional<SphericalSolution> linkage_at(const SphericalAnswer& answer, MapPoint place,
+                                                          bool verify = true);
 
 /// How well a linkage of a function's task generates it. Where driving a generator free of defects confirms it, it must
 /// also have brought the output to each pair.

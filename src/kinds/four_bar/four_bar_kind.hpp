@@ -17,7 +17,6 @@ namespace linkwright {
 
 [[nodiscard]] bool serves(const MotionAnswer& known, const Problem& before, const Problem& now);
 [[nodiscard]] Requirements with_defaults(Requirements wanted, const FourBarAnswer& known);
-[[nodiscard]] Notice no_map(const FourBarAnswer& known);
 [[nodiscard]] Notice nothing_on_map(const FourBarAnswer& known, const RegionMap& map);
 [[nodiscard]] LinkPolygon links_along(const FourBarAnswer& known, Side side);
 [[nodiscard]] std::vector<CurveMark> marks_of(const MotionAnswer& known);

@@ -43,10 +43,6 @@ std::vector<int> passed_positions(const TaskFamily& given, std::size_t count) {
   return numbers;
 }
 
-std::optional<FourBarSolution> four_bar_at(const FourBarAnswer& known, MapPoint place, bool verify) {
-  return make_four_bar(known.given, place, known.requirements.respect_direction, verify);
-}
-
 }  // namespace
 
 bool serves(const MotionAnswer& known, const Problem& /*before*/, const Problem& /*now*/) {
@@ -55,10 +51,6 @@ bool serves(const MotionAnswer& known, const Problem& /*before*/, const Problem&
 
 Requirements with_defaults(Requirements wanted, const FourBarAnswer& known) {
   return with_defaults(std::move(wanted), known.given);
-}
-
-Notice no_map(const FourBarAnswer& known) {
-  return known.given.degeneracy.value_or(Notice{"no_map", "There is no map of this task.", {}});
 }
 
 Notice nothing_on_map(const FourBarAnswer& /*known*/, const RegionMap& /*map*/) {
@@ -134,11 +126,11 @@ bool write_property(const FunctionAnswer& known, const ColouredMap& map, std::st
 }
 
 std::optional<FourBarSolution> solution_at(const MotionAnswer& known, MapPoint place, bool verify) {
-  return four_bar_at(known, place, verify);
+  return linkage_at(known, place, verify);
 }
 
 std::optional<FourBarSolution> solution_at(const FunctionAnswer& known, MapPoint place, bool verify) {
-  auto found = four_bar_at(known, place, verify);
+  auto found = linkage_at(known, place, verify);
   if (found && known.given.functions) measure_function(*found, *known.given.functions);
   return found;
 }

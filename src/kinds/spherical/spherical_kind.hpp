@@ -19,7 +19,6 @@ namespace linkwright {
 // Of a session.
 
 [[nodiscard]] Requirements with_defaults(Requirements wanted, const SphericalAnswer& known);
-[[nodiscard]] Notice no_map(const SphericalAnswer& known);
 [[nodiscard]] Notice nothing_on_map(const SphericalAnswer& known, const RegionMap& map);
 [[nodiscard]] LinkPolygon links_along(const SphericalAnswer& known, Side side);
 [[nodiscard]] ShownAxis shown_axis(const SphericalAnswer& known, Side side, int order, const ShownAxis* before);

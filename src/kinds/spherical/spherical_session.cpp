@@ -4,20 +4,9 @@
 #include "spherical_kind.hpp"
 
 namespace linkwright {
-namespace {
-
-std::optional<SphericalSolution> spherical_at(const SphericalAnswer& known, MapPoint place, bool verify) {
-  return make_spherical_four_bar(known.given, place, known.requirements.respect_direction, verify);
-}
-
-}  // namespace
 
 Requirements with_defaults(Requirements wanted, const SphericalAnswer& /*known*/) {
   return with_default_angles(std::move(wanted));
-}
-
-Notice no_map(const SphericalAnswer& known) {
-  return known.given.degeneracy.value_or(Notice{"no_map", "There is no map of this task.", {}});
 }
 
 Notice nothing_on_map(const SphericalAnswer& /*known*/, const RegionMap& /*map*/) {
@@ -45,11 +34,11 @@ bool write_property(const SphericalFunctionAnswer& known, const ColouredMap& map
 }
 
 std::optional<SphericalSolution> solution_at(const SphericalMotionAnswer& known, MapPoint place, bool verify) {
-  return spherical_at(known, place, verify);
+  return linkage_at(known, place, verify);
 }
 
 std::optional<SphericalSolution> solution_at(const SphericalFunctionAnswer& known, MapPoint place, bool verify) {
-  auto found = spherical_at(known, place, verify);
+  auto found = linkage_at(known, place, verify);
   if (found && known.given.functions) measure_function(*found, *known.given.functions);
   return found;
 }
