@@ -83,22 +83,10 @@ std::string counts_words(const Problem& problem, const FourBarAnswer& answer, co
   return wrapped(text);
 }
 
-std::string best_heading(const FourBarAnswer& answer) {
+std::string heading_of_best(const FourBarAnswer& answer) {
   if (answer.options.at) return "The linkage there:\n";
   if (const auto front = front_heading(answer)) return *front;
-  if (is_of_tolerances(answer.options.objective))
-    return fmt::format("Best linkages, {} first:\n", tolerance_superlative(answer.options.objective));
-  switch (answer.options.objective) {
-    case Objective::link_ratio:
-      return "Best linkages, smallest link ratio first:\n";
-    case Objective::size:
-      return "Best linkages, smallest longest link first:\n";
-    case Objective::structural_error:
-      return "Best linkages, smallest structural error first:\n";
-    default:
-      break;
-  }
-  return "Best linkages, largest minimum transmission angle over the task (γ) first:\n";
+  return best_heading("linkages", answer.options.objective);
 }
 
 std::string dimension_table(const std::vector<FourBarSolution>& linkages, int decimals) {
@@ -138,7 +126,7 @@ std::string score_words(Objective objective, const FourBarSolution& found, int d
     case Objective::size:
       return rounded_text(found.lengths.longest(), decimals);
     case Objective::structural_error:
-      return significant_text(degrees(found.function ? found.function->max_structural_error.value_or(0) : 0), 3) + "°";
+      return structural_error_text(found.function);
     default:
       break;
   }
@@ -150,16 +138,12 @@ std::string why_the_best(const Problem& problem, const FourBarAnswer& answer, in
   if (answer.options.pareto) return "";
   const auto& linkages = answer.linkages;
   const Objective objective = answer.options.objective;
-  constexpr std::array<std::string_view, 4> superlatives = {"largest minimum transmission angle", "smallest link ratio",
-                                                            "smallest longest link", "smallest structural error"};
-  const bool by_tolerances = is_of_tolerances(objective);
-  const std::string_view what =
-      by_tolerances ? tolerance_superlative(objective) : superlatives[static_cast<std::size_t>(objective)];
+  const bool by_tolerances = is_of_analysis(objective);
   const auto score = [&](std::size_t i) {
     return by_tolerances ? tolerance_score(answer, i, problem.length_unit)
                          : score_words(objective, linkages[i], decimals);
   };
-  std::string text = fmt::format("Linkage 1 has the {}, {}", what, score(0));
+  std::string text = fmt::format("Linkage 1 has the {}, {}", superlative(objective), score(0));
   if (linkages.size() > 1) text += fmt::format("; linkage 2 follows with {}", score(1));
   const auto limits = limits_touched(answer.requirements, linkages[0], problem.length_unit);
   return wrapped(fmt::format("{}. It {}", text, held_back_words(limits)));
@@ -195,7 +179,7 @@ std::string linkages_words(const Problem& problem, const FourBarAnswer& answer) 
   if (answer.linkages.empty()) return "";
   const int decimals = decimals_for(answer.linkages);
   const std::string errors = function_error_words(answer) + pose_error_words(problem, answer);
-  return "\n" + best_heading(answer) + dimension_table(answer.linkages, decimals) + "\n" +
+  return "\n" + heading_of_best(answer) + dimension_table(answer.linkages, decimals) + "\n" +
          (errors.empty() ? "" : errors + "\n") + pivot_table(answer, decimals) + "\n" +
          why_the_best(problem, answer, decimals) + check_words(answer);
 }
@@ -291,6 +275,23 @@ std::string report_of_kind(const Problem& problem, const SixBarAnswer& answer) {
 }
 
 }  // namespace
+
+std::optional<std::string> front_heading(const Findings& found) {
+  if (!found.options.pareto || found.options.at) return std::nullopt;
+  const auto words = [](Objective objective) {
+    std::string text(name(objective));
+    std::replace(text.begin(), text.end(), '_', ' ');
+    return text;
+  };
+  return wrapped(fmt::format(
+      "Linkages that no other beats in both {} and {}: {} on the map; some of them:", words((*found.options.pareto)[0]),
+      words((*found.options.pareto)[1]), grouped_text(static_cast<std::int64_t>(found.pareto.size()))));
+}
+
+std::string best_heading(std::string_view what, Objective objective) {
+  const std::string_view over = objective == Objective::min_transmission_angle ? " over the task (γ)" : "";
+  return fmt::format("Best {}, {}{} first:\n", what, superlative(objective), over);
+}
 
 std::string report(const Problem& problem, const Answer& answer) {
   Problem shown = problem;

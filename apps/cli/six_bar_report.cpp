@@ -55,14 +55,8 @@ std::string six_bar_map_words(const Problem& problem, const SixBarAnswer& answer
   return wrapped(text);
 }
 
-std::string best_heading(const SynthesisOptions& options) {
-  if (options.at) return "The six-bar there:\n";
-  if (is_of_tolerances(options.objective))
-    return fmt::format("Best six-bars, {} first:\n", tolerance_superlative(options.objective));
-  constexpr std::array<std::string_view, 4> orders = {"largest minimum transmission angle over the task (γ) first",
-                                                      "smallest link ratio first", "smallest longest link first",
-                                                      "largest minimum transmission angle over the task (γ) first"};
-  return fmt::format("Best six-bars, {}:\n", orders[static_cast<std::size_t>(options.objective)]);
+std::string heading_of_best(const SynthesisOptions& options) {
+  return options.at ? "The six-bar there:\n" : best_heading("six-bars", options.objective);
 }
 
 std::string drive_cell(const SixBarDriveReport& drive) {
@@ -210,7 +204,7 @@ std::string six_bar_report(const Problem& problem, const SixBarAnswer& answer) {
   double longest = 0;
   for (const SixBarSolution& one : found) longest = std::max(longest, one.rating.shape.longest);
   const int decimals = std::min(length_decimals(longest), 9);
-  return text + "\n" + best_heading(answer.options) + dimension_table(found, decimals) + "\n" +
+  return text + "\n" + heading_of_best(answer.options) + dimension_table(found, decimals) + "\n" +
          hinge_words(answer, decimals) + "\n" + limits_words(problem, answer) +
          check_words(found, answer.options.at.has_value());
 }

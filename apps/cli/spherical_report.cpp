@@ -84,10 +84,7 @@ std::string best_spherical_heading(const SphericalAnswer& answer) {
   const SynthesisOptions& options = answer.options;
   if (const auto front = front_heading(answer)) return *front;
   if (options.at) return "The linkage there:\n";
-  if (is_of_tolerances(options.objective))
-    return fmt::format("Best linkages, {} first:\n", tolerance_superlative(options.objective));
-  if (options.objective == Objective::link_angle) return "Best linkages, largest least link angle first:\n";
-  return "Best linkages, largest minimum transmission angle over the task (γ) first:\n";
+  return best_heading("linkages", options.objective);
 }
 
 std::vector<std::string> angle_cells(const SphericalSolution& found) {
@@ -132,6 +129,7 @@ std::string axis_table(const Found& all) {
 }
 
 std::string spherical_score(Objective objective, const SphericalSolution& found) {
+  if (objective == Objective::structural_error) return structural_error_text(found.function);
   return angle_text(objective == Objective::link_angle ? found.angles.shortest() : found.report.min_transmission_angle,
                     angle_decimals);
 }
@@ -140,14 +138,11 @@ std::string why_it_is_best(const SphericalAnswer& answer) {
   if (answer.options.at) return wrapped(answer.reason.message);
   if (answer.options.pareto) return "";
   const Objective objective = answer.options.objective;
-  const bool by_tolerances = is_of_tolerances(objective);
-  const std::string_view what = by_tolerances                        ? tolerance_superlative(objective)
-                                : objective == Objective::link_angle ? "largest least link angle"
-                                                                     : "largest minimum transmission angle";
+  const bool by_tolerances = is_of_analysis(objective);
   const auto score = [&](std::size_t i) {
     return by_tolerances ? tolerance_score(answer, i, "") : spherical_score(objective, answer.linkages[i]);
   };
-  std::string text = fmt::format("Linkage 1 has the {}, {}", what, score(0));
+  std::string text = fmt::format("Linkage 1 has the {}, {}", superlative(objective), score(0));
   if (answer.linkages.size() > 1) text += fmt::format("; linkage 2 follows with {}", score(1));
   return wrapped(
       fmt::format("{}. It {}", text, held_back_words(limits_touched(answer.requirements, answer.linkages[0]))));

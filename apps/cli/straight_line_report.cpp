@@ -38,29 +38,10 @@ std::string map_of_lines_words(const Problem& problem, const StraightLineAnswer&
                              requirement_words(answer.requirements, linkages(problem.task), problem.length_unit)));
 }
 
-std::string_view order_words(Objective objective) {
-  switch (objective) {
-    case Objective::deviation:
-      return "least deviation first";
-    case Objective::min_transmission_angle:
-      return "largest minimum transmission angle first";
-    case Objective::size:
-      return "smallest longest link first";
-    case Objective::velocity_uniformity:
-      return "most even velocity first";
-    case Objective::tolerance_error:
-      return "smallest error by tolerances first";
-    case Objective::yield:
-      return "largest yield first";
-    default:
-      return "longest usable length over the longest link first";
-  }
-}
-
 std::string heading_of_lines(const StraightLineAnswer& answer) {
   if (answer.options.at) return answer.linkages.size() == 1 ? "The linkage there:\n" : "The linkages there:\n";
   if (auto front = front_heading(answer)) return *std::move(front);
-  return fmt::format("Best linkages, {}:\n", order_words(answer.options.objective));
+  return fmt::format("Best linkages, {} first:\n", superlative(answer.options.objective));
 }
 
 std::string usable_text(const UsableLine& usable) { return significant_text(usable.length(), line_digits); }

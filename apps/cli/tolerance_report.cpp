@@ -144,22 +144,6 @@ std::string tolerance_table(const Problem& problem, const Findings& found) {
   return text;
 }
 
-std::optional<std::string> front_heading(const Findings& found) {
-  if (!found.options.pareto || found.options.at) return std::nullopt;
-  const auto words = [](Objective objective) {
-    std::string text(name(objective));
-    std::replace(text.begin(), text.end(), '_', ' ');
-    return text;
-  };
-  return wrapped(fmt::format(
-      "Linkages that no other beats in both {} and {}: {} on the map; some of them:", words((*found.options.pareto)[0]),
-      words((*found.options.pareto)[1]), grouped_text(static_cast<std::int64_t>(found.pareto.size()))));
-}
-
-std::string_view tolerance_superlative(Objective objective) {
-  return objective == Objective::yield ? "largest yield" : "smallest error by tolerances";
-}
-
 std::string tolerance_score(const Findings& found, std::size_t place, std::string_view unit) {
   if (place >= found.tolerance.size() || !found.tolerance[place]) return "–";
   const ToleranceReport& report = *found.tolerance[place];

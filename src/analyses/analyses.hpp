@@ -4,7 +4,9 @@
 #include <vector>
 
 #include "fields/field_visitor.hpp"
+#include "files/linkage_columns.hpp"
 #include "linkwright/core/progress.hpp"
+#include "linkwright/core/result.hpp"
 #include "linkwright/region/added_measures.hpp"
 #include "linkwright/region/linkage_family.hpp"
 #include "linkwright/synthesis/answer.hpp"
@@ -16,6 +18,19 @@ namespace linkwright {
 
 /// The blocks beside the task in a problem file.
 void analysis_fields(FieldVisitor& v, SynthesisOptions& options);
+
+/// Mistakes in the blocks.
+[[nodiscard]] std::vector<Error> mistakes_in_analyses(const SynthesisOptions& options);
+
+/// What of the blocks does not go with the task, and what asks for an analysis whose block is missing.
+[[nodiscard]] std::vector<Error> mistakes_in_analyses(const Task& task, const Requirements& wanted,
+                                                      const SynthesisOptions& options);
+
+/// The blocks with the defaults of a task of this characteristic length, user's unit, filled in.
+[[nodiscard]] SynthesisOptions with_task_defaults(SynthesisOptions options, double characteristic_length);
+
+/// The blocks for lists that people wait for: with fewer samples, which move a linkage by a place or two.
+[[nodiscard]] SynthesisOptions reported_soon(SynthesisOptions options);
 
 /// Whether the blocks say the same.
 [[nodiscard]] bool analyze_alike(const SynthesisOptions& a, const SynthesisOptions& b);
@@ -29,6 +44,9 @@ void report_analyses(Answer& answer, const Progress& progress = {});
 
 /// The members of the linkage number `place` of an answer in a result file; null: of one that is in no list.
 void report_fields(FieldVisitor& v, const Findings* found, std::size_t place);
+
+/// Their columns in tables of linkages.
+void list_analyses(LinkageColumns& list, const Problem& problem);
 
 /// The files that studies of one linkage write.
 [[nodiscard]] std::vector<Shape> study_documents();

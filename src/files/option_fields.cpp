@@ -4,10 +4,7 @@
 namespace linkwright {
 namespace {
 
-const Names<Objective> objectives = {{Objective::min_transmission_angle, Objective::link_ratio, Objective::size,
-                                      Objective::structural_error, Objective::link_angle, Objective::stroke,
-                                      Objective::deviation, Objective::velocity_uniformity, Objective::tolerance_error,
-                                      Objective::yield}};
+Names<Objective> all_objectives() { return {{objectives().begin(), objectives().end()}}; }
 
 }  // namespace
 
@@ -33,7 +30,7 @@ static void fields(FieldVisitor& v, std::array<Objective, 2>& pareto) {
                     .length_sentence =
                         "a front is of two objectives: [\"min_transmission_angle\", "
                         "\"tolerance_error\"]"};
-  visit(v, pareto, two, objectives);
+  visit(v, pareto, two, all_objectives());
 }
 
 namespace {
@@ -94,7 +91,7 @@ void fields(FieldVisitor& v, OptionsOf& of) {
                       "smallest longest link, the smallest structural error of a named function, of spherical linkages "
                       "the largest least link angle, or with tolerances the smallest error by them or the largest "
                       "yield."),
-                options.objective, objectives);
+                options.objective, all_objectives());
     to.optional(Field("pareto",
                       "Two objectives of the map: linkages that no other beats in both are listed, instead of the best "
                       "by one."),

@@ -76,7 +76,7 @@ struct RequirementFields {
             .null = asked.any};
   }
   void operator()(double Requirements::*limit) const {
-    const bool is_said = !asked.is_of_tolerances || asked.has_limit(wanted);
+    const bool is_said = !asked.is_of_analysis() || asked.has_limit(wanted);
     v.optional(field.written(field.is_written && is_said), wanted.*limit, number());
   }
   // What is not given is the default, which only an answer knows; or anything.

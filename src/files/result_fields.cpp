@@ -82,6 +82,19 @@ void search_field(FieldVisitor& v, const Answer& answer) {
   });
 }
 
+template <class... Kinds>
+void visit_linkages_of_all(FieldVisitor& v, const std::variant<Kinds...>& answer) {
+  const auto shape_of = [&]<class Kind>(const Kind* /*of*/) {
+    return Shape{JsonType::list, [&](FieldVisitor& to) {
+                   const Kind none{};
+                   const Kind* of_kind = held<Kind>(answer);
+                   visit_linkages(to, of_kind ? *of_kind : none);
+                 }};
+  };
+  const std::array shapes = {shape_of(static_cast<const Kinds*>(nullptr))...};
+  v.shapes(answer.index(), shapes, std::nullopt);
+}
+
 void linkage_fields(FieldVisitor& v, const Answer& answer) {
   search_field(v, answer);
   const Field linkages("linkages",
@@ -92,8 +105,7 @@ void linkage_fields(FieldVisitor& v, const Answer& answer) {
   const Field freed("freed",
                     "Five positions that no linkage passes as required: what freeing one of them comes to, nearest "
                     "first.");
-  member_by_kind<FourBarAnswer, SixBarAnswer, SphericalAnswer, StraightLineAnswer>(
-      v, linkages, answer, [](FieldVisitor& to, const auto& of_kind) { visit_linkages(to, of_kind); });
+  v.member(linkages, true, [&](FieldVisitor& to) { visit_linkages_of_all(to, answer); });
   member_by_kind<FourBarAnswer, SphericalAnswer>(
       v, pairs, answer, [](FieldVisitor& to, const auto& of_kind) { visit_pairs(to, of_kind); });
   member_by_kind<MotionAnswer, SphericalMotionAnswer>(

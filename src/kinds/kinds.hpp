@@ -15,6 +15,7 @@
 //   solve_of_kind          everything found for it; what driving does not confirm is still among it
 //   leave_out_unconfirmed  takes that out of the lists
 //   warn_of_locking        where the best stand at a dead point
+//   output_of              how a linkage listed lies in the positions of the task; nothing where it does not
 // Of a session, while its problem changes:
 //   serves (·)             what was known of the task with one problem's requirements and options serves another's
 //   with_defaults          requirements with the defaults of the kind filled in
@@ -32,6 +33,7 @@
 //   fields                 of its task; visit_curve, visit_dyads, visit_linkages, visit_pairs, visit_freed,
 //   visit_search:
 //                          what stands in these members of a result, of those that it has
+//   list_columns           of its linkages in a table
 //   label_of, short_label_of, axis_label      in words
 //   is_mapped              a result has a map
 //   stored                 a linkage of an answer as a file carries it, without title and unit

@@ -5,8 +5,6 @@
 
 // The curve of configurations of a six-bar near one of its points, a six-bar to each lane: one source for the walk of
 // one (six_bar_walk.cpp) and of several at once (six_bar_kernel.cpp).
-// Six-bars on their way along their curves of configurations, one to each lane. Included by the six_bar_kernel_*.cpp
-// files, one for each instruction set.
 namespace linkwright::LINKWRIGHT_ISA {
 
 template <class Real>

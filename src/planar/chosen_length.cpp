@@ -39,7 +39,7 @@ class LengthTrials {
         progress_(progress),
         requirements_(requirements),
         // Tolerances are measured of one map, that of the length chosen.
-        objective_(is_of_tolerances(objective) ? Objective::min_transmission_angle : objective) {}
+        objective_(is_of_analysis(objective) ? Objective::min_transmission_angle : objective) {}
 
   LengthSummary try_length(double length) {
     const LengthSummary summary = summary_of(*family_of_(length));

@@ -183,7 +183,7 @@ std::vector<SixBarSolution> driven_exactly(const std::vector<SixBarProspect>& pr
     exact.local_optimum = prospect.local_optimum;
     solutions.push_back(std::move(exact));
   }
-  if (is_of_tolerances(choice.objective)) return solutions;
+  if (is_of_analysis(choice.objective)) return solutions;
   std::sort(solutions.begin(), solutions.end(), [&](const SixBarSolution& a, const SixBarSolution& b) {
     const double one = score_of(choice.objective, a.rating), other = score_of(choice.objective, b.rating);
     return one != other ? one > other : a.member.coordinates < b.member.coordinates;

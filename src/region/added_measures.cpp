@@ -115,19 +115,17 @@ std::optional<double> AddedMeasures::score(MapPoint place, const Requirements& w
                                            double own) const {
   constexpr double tie = 1e-9;  // less than one sample of the largest number of them
   const AddedMeasure* by = find(measure_of(objective));
-  std::optional<double> before, last;  // what counts so far, larger being better
+  const AddedMeasure* tied = by && by->tie ? find(*by->tie) : nullptr;
+  double score = own, second = 0;
   for (const AddedMeasure& added : all) {
-    const bool counts = by && &added <= by;
-    if (!counts && !is_asked(added, wanted, objective)) continue;
+    if (&added != tied && !is_asked(added, wanted, objective)) continue;
     const auto measured = passing(added, place, wanted);
     if (!measured) return std::nullopt;
-    if (!counts) continue;
-    before = last;
-    last = added.measure->measure().larger_is_better ? *measured : -*measured;
+    const double larger_better = added.measure->measure().larger_is_better ? *measured : -*measured;
+    if (&added == by) score = larger_better;
+    if (&added == tied) second = larger_better;
   }
-  if (!last) return own;
-  const double second = before.value_or(0);
-  return *last + tie * second / (1 + std::abs(second));
+  return tied ? score + tie * second / (1 + std::abs(second)) : score;
 }
 
 }  // namespace linkwright

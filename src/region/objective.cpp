@@ -9,23 +9,31 @@ namespace {
 /// A row of the table of all that can rank linkages.
 struct ObjectiveRow {
   Objective objective;
-  std::string_view name;
+  std::string_view name, superlative;
   const Measure* by;  ///< the cells of a map; a larger or a smaller one is better, as it says
 };
 
 constexpr std::array<ObjectiveRow, 10> objective_rows = {{
-    {Objective::min_transmission_angle, "min_transmission_angle", &measures::min_transmission_angle},
-    {Objective::link_ratio, "link_ratio", &measures::link_ratio},
-    {Objective::size, "size", &measures::longest_link},
+    {Objective::min_transmission_angle, "min_transmission_angle", "largest minimum transmission angle",
+     &measures::min_transmission_angle},
+    {Objective::link_ratio, "link_ratio", "smallest link ratio", &measures::link_ratio},
+    {Objective::size, "size", "smallest longest link", &measures::longest_link},
     // No map holds it: its cells are ranked by the transmission angle.
-    {Objective::structural_error, "structural_error", &measures::min_transmission_angle},
-    {Objective::link_angle, "link_angle", &measures::min_link_angle},
-    {Objective::stroke, "stroke", &measures::stroke_over_longest},
-    {Objective::deviation, "deviation", &measures::deviation},
-    {Objective::velocity_uniformity, "velocity_uniformity", &measures::velocity_nonuniformity},
-    {Objective::tolerance_error, "tolerance_error", &measures::tolerance_error},
-    {Objective::yield, "yield", &measures::yield},
+    {Objective::structural_error, "structural_error", "smallest structural error", &measures::min_transmission_angle},
+    {Objective::link_angle, "link_angle", "largest least link angle", &measures::min_link_angle},
+    {Objective::stroke, "stroke", "longest usable length over the longest link", &measures::stroke_over_longest},
+    {Objective::deviation, "deviation", "least deviation", &measures::deviation},
+    {Objective::velocity_uniformity, "velocity_uniformity", "most even velocity", &measures::velocity_nonuniformity},
+    {Objective::tolerance_error, "tolerance_error", "smallest error by tolerances", &measures::tolerance_error},
+    {Objective::yield, "yield", "largest yield", &measures::yield},
 }};
+
+/// Objectives by themselves, which others walk.
+constexpr auto all_objectives = [] {
+  std::array<Objective, objective_rows.size()> all{};
+  for (std::size_t k = 0; k < all.size(); ++k) all[k] = objective_rows[k].objective;
+  return all;
+}();
 
 constexpr bool are_in_order() {
   for (std::size_t k = 0; k < objective_rows.size(); ++k)
@@ -38,7 +46,11 @@ const ObjectiveRow& row_of(Objective objective) { return objective_rows[static_c
 
 }  // namespace
 
+std::span<const Objective> objectives() { return all_objectives; }
+
 std::string_view name(Objective objective) { return row_of(objective).name; }
+
+std::string_view superlative(Objective objective) { return row_of(objective).superlative; }
 
 const Measure& measure_of(Objective objective) { return *row_of(objective).by; }
 

@@ -74,7 +74,7 @@ class CellCounter {
     one_thread.threads = 1;
     family->classify(map_, samples(Side::input), samples(Side::output), wanted.respect_direction, one_thread);
     const AddedMeasures added =
-        added_measures(*family, with_turning_length(known.options, known.characteristic_length), no_sampled);
+        added_measures(*family, with_task_defaults(known.options, known.characteristic_length), no_sampled);
     if (added.are_required(wanted)) added.add_to(map_, *family, wanted, no_sampled);
     const RequirementFilter filter = filter_of(*family, map_, wanted);
     std::uint32_t passing = 0;

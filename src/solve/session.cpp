@@ -72,7 +72,7 @@ void Session::set_options(bool task_is_new) {
   std::visit(
       [&](auto& known) {
         known.requirements = with_defaults(problem_.requirements, known);
-        known.options = with_turning_length(problem_.options, known.characteristic_length);
+        known.options = with_task_defaults(problem_.options, known.characteristic_length);
         known.options.at.reset();
       },
       known_);
@@ -360,7 +360,6 @@ std::optional<LinkageOutput> Session::output_at(MapPoint place) const {
 }
 
 Result<Answer> Session::best(int most) const {
-  constexpr int samples_of_the_best = 10'000;
   Problem usual = problem_;
   SynthesisOptions& options = usual.options;
   std::visit(
@@ -372,7 +371,7 @@ Result<Answer> Session::best(int most) const {
   options.at.reset();
   options.best = most;
   options.measure_yields = false;
-  if (options.tolerances) options.tolerances->samples = std::min(options.tolerances->samples, samples_of_the_best);
+  options = reported_soon(options);
   return solve(usual);
 }
 

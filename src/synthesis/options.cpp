@@ -4,13 +4,9 @@
 #include <cmath>
 #include <fmt/format.h>
 
-namespace linkwright {
+#include "analyses/analyses.hpp"
 
-SynthesisOptions with_turning_length(SynthesisOptions options, double characteristic_length) {
-  if (options.tolerances && !options.tolerances->turning_length)
-    options.tolerances->turning_length = characteristic_length;
-  return options;
-}
+namespace linkwright {
 
 std::vector<Error> mistakes_in(const SynthesisOptions& options) {
   std::vector<Error> found;
@@ -52,66 +48,11 @@ std::vector<Error> mistakes_in(const SynthesisOptions& options) {
   };
   check_length(options.line.deviation, "options.deviation");
   check_length(options.line.stroke, "options.stroke");
-  if (options.tolerances)
-    for (Error& mistake : mistakes_in(*options.tolerances)) found.push_back(std::move(mistake));
+  for (Error& mistake : mistakes_in_analyses(options)) found.push_back(std::move(mistake));
   return found;
 }
 
 namespace {
-
-bool is_spherical(const Task& task) { return &linkages(task) == &spherical_linkages; }
-
-ToleranceLimit::Kind limit_kind(const Task& task, ToleranceLimit::Kind asked) {
-  switch (output_kind(task)) {
-    case OutputKind::line:
-      return ToleranceLimit::Kind::deviation;
-    case OutputKind::angle:
-    case OutputKind::turn:
-      return ToleranceLimit::Kind::angle;
-    default:
-      return asked == ToleranceLimit::Kind::deviation ? ToleranceLimit::Kind::position : asked;
-  }
-}
-
-std::vector<Error> mistakes_in(const Task& task, const Tolerances& tolerances) {
-  std::vector<Error> found;
-  if (is_spherical(task) && (tolerances.length != LengthTolerances{} || tolerances.clearance > 0))
-    found.push_back({"lengths_of_sphere", tolerances.clearance > 0 ? "tolerances.clearance" : "tolerances.length",
-                     "the links of a spherical linkage are arcs; give their tolerance as \"link_angle_deg\""});
-  if (!is_spherical(task) && tolerances.link_angle > 0)
-    found.push_back({"arcs_of_plane", "tolerances.link_angle_deg",
-                     "the links of a planar linkage are lengths; give their tolerance as \"length\""});
-  if (tolerances.limit && limit_kind(task, tolerances.limit->kind) != tolerances.limit->kind)
-    found.push_back({"limit_of_task", "tolerances.limit",
-                     "a limit is \"position\" or \"angle_deg\" for a body in the plane, \"angle_deg\" for a function "
-                     "and about a centre, \"deviation\" for a straight line"});
-  return found;
-}
-
-// What asks for tolerances, or for a limit of them.
-std::vector<Error> mistakes_about_tolerances(const Task& task, const Requirements& wanted,
-                                             const SynthesisOptions& options) {
-  std::vector<Error> found;
-  const auto check = [&](const char* place, bool asks_yield) {
-    if (!options.tolerances)
-      found.push_back({"no_tolerances", place, "give the \"tolerances\" with which the linkages are made"});
-    else if (asks_yield && !options.tolerances->limit)
-      found.push_back({"no_limit", place,
-                       "a yield needs \"limit\" in the tolerances: the error up to which a "
-                       "linkage is good"});
-    else if (is_search(task))  // linkages that are searched for come from many maps, which are too many to be sampled
-      found.push_back({"tolerances_of_search", place,
-                       "linkages that are searched for are not ranked by tolerances; search first, then ask this of "
-                       "the map of one of them"});
-  };
-  if (wanted.max_tolerance_error < Requirements::unlimited) check("requirements.max_tolerance_error", false);
-  if (wanted.min_yield > 0) check("requirements.min_yield", true);
-  if (options.objective == Objective::tolerance_error) check("options.objective", false);
-  if (options.objective == Objective::yield) check("options.objective", true);
-  for (const Objective objective : options.pareto.value_or(std::array<Objective, 2>{}))
-    if (is_of_tolerances(objective)) check("options.pareto", objective == Objective::yield);
-  return found;
-}
 
 std::vector<Error> mistakes_in_pareto(const Task& task, const std::array<Objective, 2>& objectives) {
   const LinkageClass& asked = linkages(task);
@@ -136,10 +77,7 @@ std::vector<Error> mistakes_in_pareto(const Task& task, const std::array<Objecti
 }  // namespace
 
 std::vector<Error> mistakes_in(const Task& task, const Requirements& requirements, const SynthesisOptions& options) {
-  std::vector<Error> of_tolerances = mistakes_about_tolerances(task, requirements, options);
-  if (options.tolerances)
-    for (Error& mistake : mistakes_in(task, *options.tolerances)) of_tolerances.push_back(std::move(mistake));
-  if (!of_tolerances.empty()) return of_tolerances;
+  if (auto of_analyses = mistakes_in_analyses(task, requirements, options); !of_analyses.empty()) return of_analyses;
   if (options.pareto)
     if (auto of_pareto = mistakes_in_pareto(task, *options.pareto); !of_pareto.empty()) return of_pareto;
   const LinkageClass& asked = linkages(task);

@@ -5,6 +5,7 @@
 #include <utility>
 #include <vector>
 
+#include "analyses/analyses.hpp"
 #include "function/generator_search.hpp"
 #include "linkage_search.hpp"
 #include "linkwright/core/tolerance.hpp"
@@ -169,7 +170,7 @@ Error cancelled() { return {"cancelled", "", "stopped before the answer was comp
 void set_wishes(FourBarAnswer& answer, const Requirements& requirements, const SynthesisOptions& options) {
   answer.characteristic_length = answer.given.frame().scale;
   answer.requirements = with_defaults(requirements, answer.given);
-  answer.options = with_turning_length(options, answer.characteristic_length);
+  answer.options = with_task_defaults(options, answer.characteristic_length);
 }
 void set_wishes(SphericalAnswer& answer, const Requirements& requirements, const SynthesisOptions& options) {
   answer.requirements = with_default_angles(requirements);

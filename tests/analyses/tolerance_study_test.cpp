@@ -9,6 +9,7 @@
 #include "linkwright/synthesis/solve.hpp"
 #include "support/draws.hpp"
 #include "support/file_support.hpp"
+#include "synthesis/listed_linkages.hpp"
 
 namespace linkwright::tolerance_study_test {
 namespace {

@@ -7,6 +7,7 @@
 #include "analyses/tolerances/tolerance_analysis.hpp"
 #include "linkwright/analyses/tolerance_study.hpp"
 #include "linkwright/region/measure.hpp"
+#include "synthesis/listed_linkages.hpp"
 
 namespace linkwright::soak {
 namespace {

@@ -29,7 +29,8 @@ struct AddedMeasure {
   /// By how much what a map measures is to be better than a limit, so that what is listed keeps it, too; none: by
   /// nothing.
   std::function<double(double limit)> margin_of = {};
-  double margin = 0;  ///< which the search keeps
+  double margin = 0;             ///< which the search keeps
+  const Measure* tie = nullptr;  ///< asked before it: of two that are equal, the one that is better by this is better
 };
 
 /// What analyses ask of a family's linkages. What comes later takes longer; one at most is sampled.
@@ -58,9 +59,8 @@ struct AddedMeasures {
   /// The requirements on them that the linkage at a place fails.
   [[nodiscard]] std::vector<RequirementKind> failures_at(MapPoint place, const Requirements& wanted) const;
 
-  /// What a place scores, larger being better: by these where the objective is one of them, otherwise `own`. Of two
-  /// that are equal the one that is better by the measure before it is better. Nothing where a requirement on them
-  /// fails.
+  /// What a place scores, larger being better: by these where the objective is one of them, otherwise `own`. Nothing
+  /// where a requirement on them fails.
   [[nodiscard]] std::optional<double> score(MapPoint place, const Requirements& wanted, Objective objective,
                                             double own) const;
 

@@ -57,7 +57,6 @@ struct Criterion {
   double any = 0;                ///< the limit that lets any linkage pass
   bool has_default = false;      ///< what is not given is the default of the task
   bool lets_infinite_pass = true;
-  bool is_of_tolerances = false;  ///< nothing is said of it where it is not asked
   /// What may be asked for.
   struct Range {
     double low = 0, high = Requirements::unlimited;
@@ -69,6 +68,8 @@ struct Criterion {
   std::string_view range_code = "", range_sentence = "";  ///< of the mistake where it is not in there
 
   [[nodiscard]] bool is_number() const { return rule == Rule::at_least || rule == Rule::at_most; }
+  /// What an analysis measures is bounded.
+  [[nodiscard]] bool is_of_analysis() const { return of && of->is_added; }
   /// Radians, degrees in files; of a cone its half-angle.
   [[nodiscard]] bool is_angle() const { return unit == Unit::angle; }
   /// Of a number; nothing where it is not given.

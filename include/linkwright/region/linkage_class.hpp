@@ -1,6 +1,8 @@
 #pragma once
 
+#include <algorithm>
 #include <array>
+#include <cstddef>
 #include <span>
 #include <vector>
 
@@ -28,40 +30,43 @@ inline constexpr std::array planar_types = {LinkageType::crank_rocker,          
 inline constexpr std::array spherical_types = {
     LinkageType::crank_rocker,  LinkageType::rocker_crank, LinkageType::double_crank, LinkageType::double_rocker,
     LinkageType::triple_rocker, LinkageType::change_point, LinkageType::degenerate};
-inline constexpr std::array planar_requirements = {RequirementKind::types,
-                                                   RequirementKind::no_defects,
-                                                   RequirementKind::min_transmission_angle,
-                                                   RequirementKind::max_link_ratio,
-                                                   RequirementKind::max_length,
-                                                   RequirementKind::min_length,
-                                                   RequirementKind::ground_pivots_within,
-                                                   RequirementKind::moving_pivots_within,
-                                                   RequirementKind::max_tolerance_error,
-                                                   RequirementKind::min_yield};
-inline constexpr std::array spherical_requirements = {RequirementKind::types,
-                                                      RequirementKind::no_defects,
-                                                      RequirementKind::min_transmission_angle,
-                                                      RequirementKind::min_link_angle,
-                                                      RequirementKind::max_link_angle,
-                                                      RequirementKind::fixed_axes_within,
-                                                      RequirementKind::moving_axes_within,
-                                                      RequirementKind::max_tolerance_error,
-                                                      RequirementKind::min_yield};
-inline constexpr std::array straight_line_requirements = {
-    RequirementKind::types,      RequirementKind::min_transmission_angle, RequirementKind::max_link_ratio,
-    RequirementKind::max_length, RequirementKind::ground_pivots_within,   RequirementKind::moving_pivots_within,
-    RequirementKind::min_stroke, RequirementKind::max_deviation,          RequirementKind::max_tolerance_error,
-    RequirementKind::min_yield};
-inline constexpr std::array straight_line_objectives = {
-    Objective::stroke, Objective::deviation,           Objective::min_transmission_angle,
-    Objective::size,   Objective::velocity_uniformity, Objective::tolerance_error,
-    Objective::yield};
-inline constexpr std::array planar_objectives = {
-    Objective::min_transmission_angle, Objective::link_ratio,      Objective::size,
-    Objective::structural_error,       Objective::tolerance_error, Objective::yield};
-inline constexpr std::array spherical_objectives = {Objective::min_transmission_angle, Objective::link_angle,
-                                                    Objective::structural_error, Objective::tolerance_error,
-                                                    Objective::yield};
+
+/// Those of a class, and what analyses ask of the linkages of any class.
+template <std::size_t n>
+constexpr auto with_analyses(const std::array<RequirementKind, n>& own) {
+  constexpr std::array added = {RequirementKind::max_tolerance_error, RequirementKind::min_yield};
+  static_assert(n + added.size() <= max_requirements, "a requirement is a bit of what a cell fails: raise the limit");
+  std::array<RequirementKind, n + added.size()> all{};
+  std::copy(added.begin(), added.end(), std::copy(own.begin(), own.end(), all.begin()));
+  return all;
+}
+template <std::size_t n>
+constexpr auto with_analyses(const std::array<Objective, n>& own) {
+  constexpr std::array added = {Objective::tolerance_error, Objective::yield};
+  std::array<Objective, n + added.size()> all{};
+  std::copy(added.begin(), added.end(), std::copy(own.begin(), own.end(), all.begin()));
+  return all;
+}
+
+inline constexpr auto planar_requirements = with_analyses(
+    std::array{RequirementKind::types, RequirementKind::no_defects, RequirementKind::min_transmission_angle,
+               RequirementKind::max_link_ratio, RequirementKind::max_length, RequirementKind::min_length,
+               RequirementKind::ground_pivots_within, RequirementKind::moving_pivots_within});
+inline constexpr auto spherical_requirements = with_analyses(
+    std::array{RequirementKind::types, RequirementKind::no_defects, RequirementKind::min_transmission_angle,
+               RequirementKind::min_link_angle, RequirementKind::max_link_angle, RequirementKind::fixed_axes_within,
+               RequirementKind::moving_axes_within});
+inline constexpr auto straight_line_requirements = with_analyses(
+    std::array{RequirementKind::types, RequirementKind::min_transmission_angle, RequirementKind::max_link_ratio,
+               RequirementKind::max_length, RequirementKind::ground_pivots_within,
+               RequirementKind::moving_pivots_within, RequirementKind::min_stroke, RequirementKind::max_deviation});
+inline constexpr auto straight_line_objectives =
+    with_analyses(std::array{Objective::stroke, Objective::deviation, Objective::min_transmission_angle,
+                             Objective::size, Objective::velocity_uniformity});
+inline constexpr auto planar_objectives = with_analyses(
+    std::array{Objective::min_transmission_angle, Objective::link_ratio, Objective::size, Objective::structural_error});
+inline constexpr auto spherical_objectives =
+    with_analyses(std::array{Objective::min_transmission_angle, Objective::link_angle, Objective::structural_error});
 }  // namespace class_members
 
 inline constexpr LinkageClass planar_linkages = {class_members::planar_types, class_members::planar_requirements,

@@ -18,6 +18,7 @@ struct Measure {
   std::string_view key;  ///< in result files; measures of the same key are the same
   Stored stored = Stored::as_it_is;
   bool larger_is_better = false;
+  bool is_added = false;  ///< by an analysis: no family measures it itself
 
   friend bool operator==(const Measure& a, const Measure& b) { return a.key == b.key; }
 };
@@ -53,9 +54,9 @@ inline constexpr Measure valid{"valid"};
 inline constexpr Measure contact_coefficient{"contact_coefficient"};
 /// What tolerances make of the error in the task's positions, to first order: user's unit, of functions and spherical
 /// linkages degrees; infinite at a dead point, 0 degenerate.
-inline constexpr Measure tolerance_error{"tolerance_error"};
+inline constexpr Measure tolerance_error{.key = "tolerance_error", .is_added = true};
 /// Share of sampled linkages that assemble and keep the limit in all positions; NaN where it is not computed.
-inline constexpr Measure yield{"yield", Measure::Stored::as_it_is, true};
+inline constexpr Measure yield{.key = "yield", .larger_is_better = true, .is_added = true};
 /// Angle that the driver turns from the first to the last position; every map computes it, none keeps it.
 inline constexpr Measure driver_sweep{"driver_sweep_deg"};
 }  // namespace measures

@@ -26,16 +26,17 @@ enum class Objective {
   tolerance_error,
   yield
 };
+/// All there are.
+[[nodiscard]] std::span<const Objective> objectives();
 /// Key in problem files: "min_transmission_angle", …
 [[nodiscard]] std::string_view name(Objective objective);
-
-/// No family measures it itself: it needs AddedMeasures.
-[[nodiscard]] inline bool is_of_tolerances(Objective objective) {
-  return objective == Objective::tolerance_error || objective == Objective::yield;
-}
+/// What the best linkage has: "largest minimum transmission angle", "smallest link ratio", …
+[[nodiscard]] std::string_view superlative(Objective objective);
 
 /// The measure that ranks the cells of a map; a larger or a smaller one is better, as the measure says.
 [[nodiscard]] const Measure& measure_of(Objective objective);
+/// No family measures it itself: it needs AddedMeasures.
+[[nodiscard]] inline bool is_of_analysis(Objective objective) { return measure_of(objective).is_added; }
 
 /// What ranks cells: one of their measures, the larger the better once multiplied by `sign`.
 struct Rank {

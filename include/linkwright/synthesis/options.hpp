@@ -45,9 +45,6 @@ struct SynthesisOptions {
   RegionOptions region;
 };
 
-/// With the turning length of tolerances filled in: where none is given, the characteristic length of the task.
-[[nodiscard]] SynthesisOptions with_turning_length(SynthesisOptions options, double characteristic_length);
-
 /// The caller's mistakes. Places are `options.…`.
 [[nodiscard]] std::vector<Error> mistakes_in(const SynthesisOptions& options);
 

@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "fields/field_visitor.hpp"
+#include "files/linkage_columns.hpp"
 #include "linkwright/analyses/tolerance_study.hpp"
 #include "linkwright/core/progress.hpp"
 #include "linkwright/mechanism/linkage_output.hpp"
@@ -21,6 +22,11 @@ namespace linkwright {
 // The block.
 void fields(FieldVisitor& v, Tolerances& tolerances);
 
+/// What of tolerances does not go with the task, and what asks for tolerances, or for a limit of them, where there are
+/// none.
+[[nodiscard]] std::vector<Error> mistakes_about_tolerances(const Task& task, const Requirements& wanted,
+                                                           const SynthesisOptions& options);
+
 /// The error to first order, and `with_sampled`, where there is a limit, the yield by few samples, of a family's
 /// linkages. The turning length is set. The family must outlive them.
 [[nodiscard]] AddedMeasures tolerance_measures(const LinkageFamily& family, const Tolerances& tolerances,
@@ -30,10 +36,6 @@ void fields(FieldVisitor& v, Tolerances& tolerances);
 /// meet by it what is required are left out, and a warning says so, but not what is at a place that was asked for;
 /// where these rank them, the list is put in their order. Cancelled: of those that were reached.
 void report_tolerances(Answer& answer, const Progress& progress = {});
-
-/// How the linkages that an answer lists lie in the positions of its task, one to each; turns counted by the turning
-/// length, user's unit.
-[[nodiscard]] std::vector<std::optional<LinkageOutput>> listed_outputs(const Answer& answer, double turning_length);
 
 /// An error as people read it: of functions and spheres degrees, which the engine has in radians.
 [[nodiscard]] double readable_error(const LinkageOutput& output, double error);
@@ -47,6 +49,9 @@ void fields(FieldVisitor& v, const ToleranceRecord& of);
 
 /// A file of its own.
 void fields(FieldVisitor& v, const ToleranceStudy& of);
+
+/// The columns of a table of linkages.
+void list_tolerances(LinkageColumns& list, const Task& task);
 
 /// The member `tolerance` of the linkage number `place` of an answer; null: of one that is in no list.
 void tolerance_field(FieldVisitor& v, const Findings* found, std::size_t place);

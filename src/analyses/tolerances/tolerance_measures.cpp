@@ -99,43 +99,14 @@ AddedMeasures tolerance_measures(const LinkageFamily& family, const Tolerances& 
   if (!tolerances.limit || !with_sampled) return added;
   Tolerances coarse = tolerances;
   coarse.samples = std::min(tolerances.samples, map_samples);
-  added.all.push_back({std::make_shared<OutputYield>(family, coarse), Cost::sampled,
-                       [samples = tolerances.samples](double required) { return margin_of_yield(required, samples); }});
+  const auto margin_of = [samples = tolerances.samples](double required) { return margin_of_yield(required, samples); };
+  added.all.push_back({.measure = std::make_shared<OutputYield>(family, coarse),
+                       .cost = Cost::sampled,
+                       .margin_of = margin_of,
+                       .tie = &measures::tolerance_error});
   return added;
 }
 
 double readable_error(const LinkageOutput& output, double error) { return is_angle(output) ? degrees(error) : error; }
-
-namespace {
-
-std::optional<LinkageOutput> output_of(const FourBarAnswer& answer, const FourBarSolution& found) {
-  return answer.family()->output_of(answer.point_of(found), found.four_bar);
-}
-std::optional<LinkageOutput> output_of(const SphericalAnswer& answer, const SphericalSolution& found) {
-  return answer.family()->output_of(answer.point_of(found), found.four_bar);
-}
-std::optional<LinkageOutput> output_of(const SixBarAnswer& answer, const SixBarSolution& found) {
-  return output_of(found.member, answer.task.poses.front().pose);
-}
-std::optional<LinkageOutput> output_of(const StraightLineAnswer& answer, const StraightLineSolution& found) {
-  return StraightLineFamily(found.task, answer.options.line)
-      .output_of(found.linkage, StraightLineFamily::places_of_line);
-}
-
-}  // namespace
-
-std::vector<std::optional<LinkageOutput>> listed_outputs(const Answer& answer, double turning_length) {
-  std::vector<std::optional<LinkageOutput>> outputs;
-  std::visit(
-      [&](const auto& of_kind) {
-        for (const auto& found : of_kind.linkages) {
-          auto output = output_of(of_kind, found);
-          if (output) output = with_turning_length(*std::move(output), turning_length);
-          outputs.push_back(std::move(output));
-        }
-      },
-      answer);
-  return outputs;
-}
 
 }  // namespace linkwright

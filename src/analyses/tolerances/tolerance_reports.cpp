@@ -4,6 +4,8 @@
 #include <numeric>
 
 #include "linkwright/core/angle.hpp"
+#include "linkwright/region/criterion.hpp"
+#include "synthesis/listed_linkages.hpp"
 #include "tolerance_analysis.hpp"
 
 namespace linkwright {
@@ -16,23 +18,20 @@ double score_of(const std::optional<ToleranceReport>& report, Objective objectiv
   return -report->listed_error();
 }
 
-template <class Item>
-void reorder(std::vector<Item>& items, const std::vector<std::size_t>& order) {
-  std::vector<Item> sorted;
-  sorted.reserve(items.size());
-  for (const std::size_t place : order) sorted.push_back(std::move(items[place]));
-  items = std::move(sorted);
+/// What is listed of it by a measure: the map knows few samples, and of straight lines few places.
+std::optional<double> listed(const ToleranceReport& report, const Measure& measure) {
+  if (measure == measures::tolerance_error)
+    return report.of_angle ? degrees(report.listed_error()) : report.listed_error();
+  return report.sampled.yield ? std::optional(report.sampled.yield->share) : std::nullopt;
 }
 
-// By what is listed of it: the map knows few samples, and of straight lines few places.
 bool meets(const std::optional<ToleranceReport>& report, const Requirements& wanted) {
-  if (wanted.max_tolerance_error < Requirements::unlimited) {
-    if (!report) return false;
-    const double error = report->listed_error();
-    if (!((report->of_angle ? degrees(error) : error) <= wanted.max_tolerance_error)) return false;
-  }
-  if (!(wanted.min_yield > 0)) return true;
-  return report && report->sampled.yield && report->sampled.yield->share >= wanted.min_yield;
+  return std::all_of(criteria().begin(), criteria().end(), [&](const Criterion& asked) {
+    const bool is_ours = asked.of && (*asked.of == measures::tolerance_error || *asked.of == measures::yield);
+    if (!is_ours || !asked.has_limit(wanted)) return true;
+    const auto measured = report ? listed(*report, *asked.of) : std::nullopt;
+    return measured && asked.is_met_by(*measured, asked.limit(wanted));
+  });
 }
 
 void leave_out_what_fails(Answer& answer) {
@@ -42,8 +41,7 @@ void leave_out_what_fails(Answer& answer) {
     if (meets(found.tolerance[i], found.requirements)) kept.push_back(i);
   const std::size_t count = found.tolerance.size() - kept.size();
   if (count == 0) return;
-  reorder(found.tolerance, kept);
-  std::visit([&](auto& of_kind) { reorder(of_kind.linkages, kept); }, answer);
+  list_again(answer, kept);
   found.warnings.push_back(
       {"left_out_by_tolerances",
        fmt::format("{} of the best {} discarded: by the solution region, which knows few samples, {} what is required "
@@ -63,15 +61,14 @@ void report_tolerances(Answer& answer, const Progress& progress) {
                                       : std::nullopt);
   }
   if (!found.options.at && !progress.is_cancelled()) leave_out_what_fails(answer);
-  if (!is_of_tolerances(found.options.objective) || found.options.at || found.options.pareto) return;
+  if (!is_of_analysis(found.options.objective) || found.options.at || found.options.pareto) return;
   std::vector<std::size_t> order(found.tolerance.size());
   std::iota(order.begin(), order.end(), std::size_t{0});
   std::stable_sort(order.begin(), order.end(), [&](std::size_t a, std::size_t b) {
     return score_of(found.tolerance[a], found.options.objective) >
            score_of(found.tolerance[b], found.options.objective);
   });
-  reorder(found.tolerance, order);
-  std::visit([&](auto& of_kind) { reorder(of_kind.linkages, order); }, answer);
+  list_again(answer, order);
 }
 
 }  // namespace linkwright

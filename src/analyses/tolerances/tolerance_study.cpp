@@ -5,6 +5,7 @@
 
 #include "files/listed_problem.hpp"
 #include "linkwright/synthesis/solve.hpp"
+#include "synthesis/listed_linkages.hpp"
 #include "tolerance_analysis.hpp"
 
 namespace linkwright {

@@ -150,8 +150,10 @@ void FieldSchema::kinds(std::size_t /*current*/, std::span<const Kind> all) {
 
 void FieldSchema::shapes(std::size_t /*current*/, std::span<const Shape> shapes, std::optional<Wanted> /*otherwise*/) {
   OrderedJson any = OrderedJson::array();
-  for (const Shape& each : shapes)
-    any.push_back(each.only.empty() ? of(each.value) : OrderedJson{{"const", each.only}});
+  for (const Shape& each : shapes) {
+    OrderedJson shape = each.only.empty() ? of(each.value) : OrderedJson{{"const", each.only}};
+    if (std::find(any.begin(), any.end(), shape) == any.end()) any.push_back(std::move(shape));
+  }
   schema_["anyOf"] = any;
 }
 

@@ -10,15 +10,30 @@
 namespace linkwright {
 namespace {
 
-constexpr std::string_view what_is_available =
-    "there are motion by a four_bar, a six_bar or a spherical_four_bar, function by a four_bar or a "
-    "spherical_four_bar, and straight_line by a four_bar";
-
 std::vector<std::string_view> names(std::span<const Kind> kinds, std::string_view Kind::*part) {
   std::vector<std::string_view> all;
   for (const Kind& each : kinds)
     if (std::find(all.begin(), all.end(), each.*part) == all.end()) all.push_back(each.*part);
   return all;
+}
+
+std::string in_words(const std::vector<std::string>& all, std::string_view last) {
+  std::string text;
+  for (std::size_t i = 0; i < all.size(); ++i)
+    text += fmt::format("{}{}", i == 0 ? "" : i + 1 == all.size() ? last : ", ", all[i]);
+  return text;
+}
+
+/// "there are motion by a four_bar or a six_bar, and …"
+std::string what_is_available(std::span<const Kind> all) {
+  std::vector<std::string> tasks;
+  for (const std::string_view kind : names(all, &Kind::kind)) {
+    std::vector<std::string> mechanisms;
+    for (const Kind& each : all)
+      if (each.kind == kind) mechanisms.push_back(fmt::format("a {}", each.mechanism));
+    tasks.push_back(fmt::format("{} by {}", kind, in_words(mechanisms, " or ")));
+  }
+  return "there are " + in_words(tasks, ", and ");
 }
 
 std::optional<std::string_view> required_name(const JsonObject& task, std::string_view key,
@@ -49,7 +64,7 @@ void FieldReader::kinds(std::size_t /*current*/, std::span<const Kind> all) {
     if (each.kind == *kind && each.mechanism == *mechanism) return each.task(*this);
   const std::string wanted = fmt::format("{} by a {}", *kind, *mechanism);
   task.find("mechanism")
-      ->mistake("no_such_task", fmt::format("{} is not available in this version; {}", wanted, what_is_available),
+      ->mistake("no_such_task", fmt::format("{} is not available in this version; {}", wanted, what_is_available(all)),
                 {{"wanted", wanted}});
 }
 

@@ -4,6 +4,7 @@
 
 #include "fields/field_visitor.hpp"
 #include "files/axis_label.hpp"
+#include "files/linkage_columns.hpp"
 #include "linkwright/files/linkage_file.hpp"
 #include "linkwright/synthesis/answer.hpp"
 #include "solve/of_all_kinds.hpp"
@@ -12,6 +13,13 @@
 
 // Planar four-bars that guide a body or generate a function: what kinds/kinds.hpp asks of them.
 namespace linkwright {
+
+// Found.
+
+/// How a linkage listed lies in the positions of the task.
+[[nodiscard]] inline LinkageOutput output_of(const FourBarAnswer& answer, const FourBarSolution& found) {
+  return answer.family()->output_of(answer.point_of(found), found.four_bar);
+}
 
 // Of a session.
 
@@ -59,6 +67,10 @@ void visit_dyads(FieldVisitor& v, const FourBarAnswer& answer);
 void visit_linkages(FieldVisitor& v, const FourBarAnswer& answer);
 void visit_pairs(FieldVisitor& v, const FourBarAnswer& answer);
 void visit_freed(FieldVisitor& v, const MotionAnswer& answer);
+
+/// The columns of its linkages in a table.
+void list_columns(LinkageColumns& list, const MotionTask& task);
+void list_columns(LinkageColumns& list, const FunctionTask& task);
 
 /// A linkage of an answer without title and unit.
 [[nodiscard]] StoredLinkage stored(const FourBarSolution& found, const MotionAnswer& answer);

@@ -7,6 +7,7 @@
 #include "files/axis_label.hpp"
 #include "files/json/json_object.hpp"
 #include "files/json/mistakes.hpp"
+#include "files/linkage_columns.hpp"
 #include "linkwright/core/progress.hpp"
 #include "linkwright/core/result.hpp"
 #include "linkwright/files/six_bar_file.hpp"
@@ -28,6 +29,11 @@ namespace linkwright {
 /// cancelled.
 [[nodiscard]] Result<Answer> solve_of_kind(const SixBarTask& task, const Requirements& requirements,
                                            const SynthesisOptions& options, const Progress& progress);
+
+/// How a linkage listed lies in the positions of the task.
+[[nodiscard]] inline LinkageOutput output_of(const SixBarAnswer& answer, const SixBarSolution& found) {
+  return output_of(found.member, answer.task.poses.front().pose);
+}
 
 // Of a session.
 
@@ -57,6 +63,9 @@ void fields(FieldVisitor& v, SixBarTask& task);
 /// What stands in these members of a result.
 void visit_search(FieldVisitor& v, const SixBarAnswer& answer);
 void visit_linkages(FieldVisitor& v, const SixBarAnswer& answer);
+
+/// The columns of its linkages in a table.
+void list_columns(LinkageColumns& list, const SixBarTask& task);
 
 /// A linkage of an answer without title and unit.
 [[nodiscard]] StoredSixBar stored(const SixBarSolution& found, const SixBarAnswer& answer);

@@ -1,6 +1,7 @@
 #include <algorithm>
 #include <fmt/format.h>
 
+#include "analyses/analyses.hpp"
 #include "linkwright/core/count_text.hpp"
 #include "linkwright/planar/pose_conditions.hpp"
 #include "six_bar_kind.hpp"
@@ -150,7 +151,7 @@ SixBarAnswer begin_answer(const SixBarTask& task, const Requirements& requiremen
   answer.condition = conditions.condition();
   answer.characteristic_length = conditions.frame.scale;
   answer.requirements = task.chain ? with_defaults(requirements, *task.chain) : requirements;
-  answer.options = with_turning_length(options, answer.characteristic_length);
+  answer.options = with_task_defaults(options, answer.characteristic_length);
   if (auto notice = points_notice(task.points)) answer.warnings.push_back(*std::move(notice));
   return answer;
 }

@@ -6,6 +6,7 @@
 #include "fields/field_visitor.hpp"
 #include "files/axis_label.hpp"
 #include "files/json/json_object.hpp"
+#include "files/linkage_columns.hpp"
 #include "linkwright/files/spherical_file.hpp"
 #include "linkwright/mechanism/spherical_four_bar.hpp"
 #include "linkwright/synthesis/answer.hpp"
@@ -15,6 +16,13 @@
 
 // Spherical four-bars that guide a body about a fixed centre or generate a function: what kinds/kinds.hpp asks of them.
 namespace linkwright {
+
+// Found.
+
+/// How a linkage listed lies in the positions of the task.
+[[nodiscard]] inline LinkageOutput output_of(const SphericalAnswer& answer, const SphericalSolution& found) {
+  return answer.family()->output_of(answer.point_of(found), found.four_bar);
+}
 
 // Of a session.
 
@@ -54,6 +62,10 @@ void visit_dyads(FieldVisitor& v, const SphericalAnswer& answer);
 void visit_linkages(FieldVisitor& v, const SphericalAnswer& answer);
 void visit_pairs(FieldVisitor& v, const SphericalAnswer& answer);
 void visit_freed(FieldVisitor& v, const SphericalMotionAnswer& answer);
+
+/// The columns of its linkages in a table.
+void list_columns(LinkageColumns& list, const SphericalMotionTask& task);
+void list_columns(LinkageColumns& list, const SphericalFunctionTask& task);
 
 /// A linkage of an answer without title and unit.
 [[nodiscard]] StoredSphericalFourBar stored(const SphericalSolution& found, const SphericalMotionAnswer& answer);

@@ -4,6 +4,7 @@
 
 #include "fields/field_visitor.hpp"
 #include "files/axis_label.hpp"
+#include "files/linkage_columns.hpp"
 #include "linkwright/core/progress.hpp"
 #include "linkwright/core/result.hpp"
 #include "linkwright/files/linkage_file.hpp"
@@ -35,6 +36,13 @@ void leave_out_unconfirmed(StraightLineAnswer& answer);
 
 /// Straight lines are ranked by what locking ends: there is nothing to warn of.
 inline void warn_of_locking(const StraightLineAnswer& /*answer*/, const Progress& /*progress*/) {}
+
+/// How a linkage listed lies along the line; nothing where it does not reach the ends.
+[[nodiscard]] inline std::optional<LinkageOutput> output_of(const StraightLineAnswer& answer,
+                                                            const StraightLineSolution& found) {
+  return StraightLineFamily(found.task, answer.options.line)
+      .output_of(found.linkage, StraightLineFamily::places_of_line);
+}
 
 // Of a session.
 
@@ -68,6 +76,9 @@ void fields(FieldVisitor& v, StraightLineTask& task);
 [[nodiscard]] bool is_mapped(const StraightLineAnswer& answer);
 /// What stands in this member of a result.
 void visit_linkages(FieldVisitor& v, const StraightLineAnswer& answer);
+
+/// The columns of its linkages in a table.
+void list_columns(LinkageColumns& list, const StraightLineTask& task);
 
 /// A linkage of an answer without title and unit; its poses are those of the coupler at the ends of the usable length
 /// and where the point is on the line.

@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
+#include "analyses/analyses.hpp"
 #include "linkwright/core/count_text.hpp"
 #include "straight_line_kind.hpp"
 #include "synthesis/linkage_search.hpp"
@@ -238,7 +239,7 @@ StraightLineAnswer begin_answer(const StraightLineTask& task, const Requirements
   answer.task = task;
   answer.characteristic_length = size_of(task);
   answer.requirements = with_default_length(requirements, task);
-  answer.options = with_turning_length(options, answer.characteristic_length);
+  answer.options = with_task_defaults(options, answer.characteristic_length);
   if (!std::holds_alternative<straight_cases::Search>(task.given))
     answer.lines = std::make_shared<StraightLineFamily>(task, options.line, options.window);
   return answer;
@@ -261,7 +262,7 @@ Result<Answer> solve_of_kind(const StraightLineTask& task, const Requirements& r
         [](const Cell& cell, const auto& made) { return cell.type == made.type && is_confirmed(made); }};
     auto best = best_linkages(family, making, answer, counted, progress);
     answer.linkages = std::move(best.linkages);
-    if (!is_of_tolerances(options.objective) && !options.pareto)
+    if (!is_of_analysis(options.objective) && !options.pareto)
       std::stable_sort(answer.linkages.begin(), answer.linkages.end(),
                        [&](const StraightLineSolution& a, const StraightLineSolution& b) {
                          return score_of(a, answer) > score_of(b, answer);

@@ -1,0 +1,31 @@
+#include "four_bar_kind.hpp"
+
+namespace linkwright {
+namespace {
+
+void add_four_bar(LinkageColumns& list) {
+  list_motion(list);
+  list.angle("min_transmission_angle_full_turn_deg", "Minimum transmission angle over a full turn of the input");
+  list.number("link_ratio", "", "Longest over shortest link", LinkageColumn::usual);
+  list.lengths({{"ground", "Length of the ground link"},
+                {"input", "Length of the input link"},
+                {"coupler", "Length of the coupler"},
+                {"output", "Length of the output link"}});
+  for (const std::string link : {"input", "output"}) {
+    list.point(link + ".center_point", "Fixed pivot of the " + link, LinkageColumn::usual);
+    list.point(link + ".circle_point", "Moving pivot of the " + link + " in position 1", LinkageColumn::usual);
+    list.number(link + ".coordinate", "", "Place of the " + link + " on the axis of the map");
+  }
+  list_verdict(list);
+}
+
+}  // namespace
+
+void list_columns(LinkageColumns& list, const MotionTask& /*task*/) { add_four_bar(list); }
+
+void list_columns(LinkageColumns& list, const FunctionTask& /*task*/) {
+  add_four_bar(list);
+  list_function(list);
+}
+
+}  // namespace linkwright
