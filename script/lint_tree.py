@@ -5,7 +5,8 @@
 2. Public headers include only public headers and the standard library.
 3. include/linkwright/<folder>/<noun>.hpp has its tests in tests/<folder>/<noun>_test.cpp.
 4. Files are named snake_case; in web/src the components (.svelte) UpperCamel.
-5. A library stays behind one door: Eigen in src/algebra/dense.cpp, nlohmann in src/files/json.
+5. In the library and what is bound to it a dependency stays behind one door: Eigen in src/algebra/dense.cpp, nlohmann in
+   src/files/json.
 6. Nobody casts to find out what kind a family or an answer is: there is no dynamic_cast.
 7. linkwright/linkwright.hpp includes every public header that the programs and the Python module include.
 
@@ -44,6 +45,7 @@ PRIVATE = Path("src")
 WHOLE = PUBLIC / "linkwright.hpp"
 FACES = ("apps", "bindings/python")
 CODE = ("include", "src", "apps", "bindings")
+BEHIND_DOORS = ("src", "bindings")
 CAST = re.compile(r"\bdynamic_(pointer_)?cast\b")
 DOORS = {"Eigen": "src/algebra/dense.cpp", "nlohmann": "src/files/json/"}  # what is long to compile, and who includes it
 # What visits tasks and answers sees all kinds, and what asks for analyses all of them, wherever it stands.
@@ -123,7 +125,7 @@ def whole_violations(root):
 
 
 def door_violations(root):
-    for folder in CODE[1:]:
+    for folder in BEHIND_DOORS:
         for file in sorted((root / folder).rglob("*.[ch]pp")):
             place = file.relative_to(root).as_posix()
             for number, _, included in includes_of(file):
@@ -171,7 +173,10 @@ def self_test():
         ({"src/algebra/dense.cpp": "#include <Eigen/Core>\n"}, []),
         ({"src/algebra/dense.hpp": "#include <Eigen/Core>\n"}, ["dense.hpp:1: <Eigen/Core>: src/algebra/dense.cpp alone"]),
         ({"src/files/json/json.hpp": "#include <nlohmann/json.hpp>\n"}, []),
-        ({"apps/cli/flags.cpp": "#include <nlohmann/json.hpp>\n"}, ["flags.cpp:1: <nlohmann/json.hpp>: src/files/json/ alone"]),
+        ({"bindings/wasm/reply.cpp": "#include <nlohmann/json.hpp>\n"}, ["reply.cpp:1: <nlohmann/json.hpp>: src/files/json/ alone"]),
+        ({"apps/cli/flags.cpp": "#include <nlohmann/json.hpp>\n"}, []),
+        ({"src/kinds/four_bar/x.cpp": '#include "analyses/analyses.hpp"\n'}, []),
+        ({"src/kinds/four_bar/x.cpp": '#include "analyses/tolerances/y.hpp"\n'}, ["kinds may not include analyses"]),
         ({"src/planar/a.cpp": '#include "region/kernel.hpp"\n#include "planar/b.hpp"\n'}, []),
         ({"src/region/a.cpp": '\n #  include "linkwright/planar/b.hpp"\n'}, ["src/region/a.cpp:2: ", "stands above"]),
         ({"src/region/a.cpp": "#include <linkwright/planar/b.hpp>\n"}, ["region may not include planar"]),

@@ -4,12 +4,13 @@
 #include <charconv>
 #include <cmath>
 #include <fmt/format.h>
+#include <nlohmann/json.hpp>
 #include <optional>
-
-#include "files/json/json.hpp"
 
 namespace linkwright::cli {
 namespace {
+
+using Json = nlohmann::json;
 
 using Content = FlagContent;
 

@@ -69,10 +69,6 @@ std::string largest_at_pairs(const KindAnswer& answer) {
 
 }  // namespace
 
-std::string structural_error_text(const std::optional<FunctionError>& error) {
-  return significant_text(degrees(error ? error->max_structural_error.value_or(0) : 0), 3) + "°";
-}
-
 std::string function_error_words(const FourBarAnswer& answer) { return error_table(answer); }
 std::string function_error_words(const SphericalAnswer& answer) { return error_table(answer); }
 std::string precision_words(const FourBarAnswer& answer) { return largest_at_pairs(answer); }

@@ -126,7 +126,7 @@ std::string score_words(Objective objective, const FourBarSolution& found, int d
     case Objective::size:
       return rounded_text(found.lengths.longest(), decimals);
     case Objective::structural_error:
-      return structural_error_text(found.function);
+      return significant_text(degrees(found.function ? found.function->max_structural_error.value_or(0) : 0), 3) + "°";
     default:
       break;
   }
@@ -138,10 +138,9 @@ std::string why_the_best(const Problem& problem, const FourBarAnswer& answer, in
   if (answer.options.pareto) return "";
   const auto& linkages = answer.linkages;
   const Objective objective = answer.options.objective;
-  const bool by_tolerances = is_of_analysis(objective);
   const auto score = [&](std::size_t i) {
-    return by_tolerances ? tolerance_score(answer, i, problem.length_unit)
-                         : score_words(objective, linkages[i], decimals);
+    const auto by_analysis = analysis_score(answer, i, problem.length_unit);
+    return by_analysis ? *by_analysis : score_words(objective, linkages[i], decimals);
   };
   std::string text = fmt::format("Linkage 1 has the {}, {}", superlative(objective), score(0));
   if (linkages.size() > 1) text += fmt::format("; linkage 2 follows with {}", score(1));

@@ -79,8 +79,6 @@ namespace linkwright::cli {
 /// "the output stands right at every pair to 2e-14°".
 [[nodiscard]] std::string precision_words(const FourBarAnswer& answer);
 [[nodiscard]] std::string precision_words(const SphericalAnswer& answer);
-/// "0.0123°": the largest error over the range of a linkage that is ranked by it.
-[[nodiscard]] std::string structural_error_text(const std::optional<FunctionError>& error);
 
 /// Where the linkages of a function lie that are counted.
 [[nodiscard]] std::string function_map_words(const LinkageFamily& family, const RegionMap& map);
@@ -141,8 +139,9 @@ namespace linkwright::cli {
 /// "Best linkages, smallest link ratio first:", the heading of a list by an objective.
 [[nodiscard]] std::string best_heading(std::string_view what, Objective objective);
 
-/// "0.662 mm", "99.8 %": the score of a linkage listed.
-[[nodiscard]] std::string tolerance_score(const Findings& found, std::size_t place, std::string_view unit);
+/// "0.662 mm", "99.8 %": the score of a linkage listed; nothing where no analysis ranks them.
+[[nodiscard]] std::optional<std::string> analysis_score(const Findings& found, std::size_t place,
+                                                        std::string_view unit);
 
 /// Of one linkage, for a designer: error, yield, what contributes what, what to tighten and what to loosen.
 /// `place`: among the linkages listed; it has a report.

@@ -129,7 +129,6 @@ std::string axis_table(const Found& all) {
 }
 
 std::string spherical_score(Objective objective, const SphericalSolution& found) {
-  if (objective == Objective::structural_error) return structural_error_text(found.function);
   return angle_text(objective == Objective::link_angle ? found.angles.shortest() : found.report.min_transmission_angle,
                     angle_decimals);
 }
@@ -138,9 +137,9 @@ std::string why_it_is_best(const SphericalAnswer& answer) {
   if (answer.options.at) return wrapped(answer.reason.message);
   if (answer.options.pareto) return "";
   const Objective objective = answer.options.objective;
-  const bool by_tolerances = is_of_analysis(objective);
   const auto score = [&](std::size_t i) {
-    return by_tolerances ? tolerance_score(answer, i, "") : spherical_score(objective, answer.linkages[i]);
+    const auto by_analysis = analysis_score(answer, i, "");
+    return by_analysis ? *by_analysis : spherical_score(objective, answer.linkages[i]);
   };
   std::string text = fmt::format("Linkage 1 has the {}, {}", superlative(objective), score(0));
   if (answer.linkages.size() > 1) text += fmt::format("; linkage 2 follows with {}", score(1));
@@ -294,8 +293,8 @@ std::string spherical_function_report(const Problem& problem, const SphericalFun
     text += "\nAll linkages that satisfy the five precision points, best first:\n" + spherical_table(answer.pairs);
   if (answer.linkages.empty()) return text + "\n" + wrapped(answer.reason.message);
   const std::string errors = function_error_words(answer);
-  return text + "\nBest linkages:\n" + spherical_table(answer.linkages) + (errors.empty() ? "" : "\n" + errors) + "\n" +
-         wrapped("Linkages listed: " + precision_words(answer) + ".");
+  return text + "\n" + best_spherical_heading(answer) + spherical_table(answer.linkages) +
+         (errors.empty() ? "" : "\n" + errors) + "\n" + wrapped("Linkages listed: " + precision_words(answer) + ".");
 }
 
 }  // namespace linkwright::cli

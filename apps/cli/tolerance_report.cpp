@@ -144,7 +144,8 @@ std::string tolerance_table(const Problem& problem, const Findings& found) {
   return text;
 }
 
-std::string tolerance_score(const Findings& found, std::size_t place, std::string_view unit) {
+std::optional<std::string> analysis_score(const Findings& found, std::size_t place, std::string_view unit) {
+  if (!is_of_analysis(found.options.objective)) return std::nullopt;
   if (place >= found.tolerance.size() || !found.tolerance[place]) return "–";
   const ToleranceReport& report = *found.tolerance[place];
   return found.options.objective == Objective::yield ? yield_cell(report)

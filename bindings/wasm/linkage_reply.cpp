@@ -53,8 +53,6 @@ void write_generated(JsonWriter& json, const KindAnswer& answer, MapPoint place)
   json.member("reaches_pairs", found.function->reaches_pairs);
 }
 
-// What only the page shows of a linkage: of most kinds nothing.
-void write_more(JsonWriter& /*json*/, const Findings& /*answer*/, MapPoint /*place*/) {}
 void write_more(JsonWriter& json, const MotionAnswer& answer, MapPoint /*place*/) {
   if (const auto& error = answer.linkages.front().pose_error) json.member("miss_input_deg", degrees(error->turn));
 }

@@ -1,6 +1,7 @@
 #include "linkage_columns.hpp"
 
 #include <string_view>
+#include <variant>
 
 #include "analyses/analyses.hpp"
 #include "kinds/kinds.hpp"

@@ -1,6 +1,7 @@
 #include "sweep_columns_reader.hpp"
 
 #include <algorithm>
+#include <array>
 #include <fmt/format.h>
 
 #include "linkwright/files/nearest_name.hpp"

@@ -15,7 +15,10 @@ namespace linkwright {
 /// Reads what a sweep file says of the linkages that it keeps, and makes the columns of its tables of that.
 class SweepColumnsReader {
  public:
+  /// Refers to them.
   explicit SweepColumnsReader(Mistakes& mistakes) : mistakes_(mistakes) {}
+  SweepColumnsReader(const SweepColumnsReader&) = delete;
+  SweepColumnsReader& operator=(const SweepColumnsReader&) = delete;
 
   /// The member `keep`; `problem`: nothing where it has mistakes.
   void keep_field(FieldVisitor& v, const std::optional<Problem>& problem, int& kept_linkages);

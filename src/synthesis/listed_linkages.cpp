@@ -1,6 +1,7 @@
 #include "synthesis/listed_linkages.hpp"
 
 #include <utility>
+#include <variant>
 
 #include "kinds/kinds.hpp"
 

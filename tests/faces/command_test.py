@@ -8,7 +8,7 @@ import subprocess
 import unittest
 import xml.etree.ElementTree
 
-from face_support import CLI, TAILGATE, FaceTest, load, run
+from face_support import CLI, ROOT, TAILGATE, FaceTest, load, run
 
 
 def distance(a, b):
@@ -23,6 +23,11 @@ class Solve(FaceTest):
                       "at most 450 mm", "Best linkages", "ground", "moving pivot", "Linkage 1", "linkage 2"):
             self.assertIn(piece, " ".join(output.split("\n")))
         self.assertLessEqual(max(len(line) for line in output.splitlines()), 100)
+
+    def test_says_by_what_a_spherical_linkage_is_the_best(self):
+        status, output, _ = run("solve", ROOT / "examples/universal_joint_like.json", "--samples", 60)
+        self.assertEqual(status, 0)
+        self.assertIn("Best linkages, smallest structural error first:\n", output)
 
     def test_the_flag_wins_over_the_file(self):
         problem = load(TAILGATE) | {"options": {"region_samples": 30}}

@@ -18,7 +18,9 @@ class Coordinate : public CellMeasure {
 
 AddedMeasures error_and_yield() {
   return {{{std::make_shared<Coordinate>(measures::tolerance_error, &MapPoint::input)},
-           {std::make_shared<Coordinate>(measures::yield, &MapPoint::output), AddedMeasure::Cost::sampled}}};
+           {.measure = std::make_shared<Coordinate>(measures::yield, &MapPoint::output),
+            .cost = AddedMeasure::Cost::sampled,
+            .tie = &measures::tolerance_error}}};
 }
 
 constexpr double own = 42;
@@ -36,6 +38,15 @@ TEST(AddedMeasures, RankByASmallErrorOrALargeYield) {
       << "of equal yields the smaller error";
   EXPECT_GT(*added.score({1e9, 0.50001}, {}, Objective::yield, own), *added.score({0, 0.5}, {}, Objective::yield, own))
       << "which counts less than one sample in a hundred thousand";
+}
+
+TEST(AddedMeasures, CountNothingThatIsNotAsked) {
+  constexpr Measure another{.key = "another", .is_added = true};
+  AddedMeasures added = error_and_yield();
+  added.all.insert(added.all.begin() + 1, {std::make_shared<Coordinate>(another, &MapPoint::input)});
+  const auto yield_alone = error_and_yield().score({3, 0.5}, {}, Objective::yield, own);
+  EXPECT_EQ(added.score({3, 0.5}, {}, Objective::yield, own), yield_alone);
+  EXPECT_EQ(added.score({std::numeric_limits<double>::infinity(), 0.5}, {}, Objective::size, own), own);
 }
 
 TEST(AddedMeasures, RefuseWhatFailsARequirementOnThem) {

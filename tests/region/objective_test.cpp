@@ -2,6 +2,8 @@
 
 #include <array>
 #include <gtest/gtest.h>
+#include <set>
+#include <string_view>
 
 namespace linkwright::objective_test {
 namespace {
@@ -10,6 +12,22 @@ TEST(Objective, HasTheKeyOfTheProblemFile) {
   EXPECT_EQ(name(Objective::min_transmission_angle), "min_transmission_angle");
   EXPECT_EQ(name(Objective::structural_error), "structural_error");
   EXPECT_EQ(name(Objective::link_angle), "link_angle");
+}
+
+TEST(Objective, EachIsNamedAndPraisedInItsOwnWords) {
+  std::set<std::string_view> names, superlatives;
+  for (const Objective objective : objectives()) {
+    names.insert(name(objective));
+    superlatives.insert(superlative(objective));
+  }
+  EXPECT_EQ(names.size(), objectives().size());
+  EXPECT_EQ(superlatives.size(), objectives().size());
+  EXPECT_EQ(superlatives.count(""), 0u);
+}
+
+TEST(Objective, OfAnAnalysisIsMeasuredByNoFamily) {
+  EXPECT_TRUE(is_of_analysis(Objective::yield));
+  EXPECT_FALSE(is_of_analysis(Objective::structural_error));
 }
 
 TEST(Objective, RanksByItsNumberTheLargerTheBetter) {

@@ -45,7 +45,8 @@ struct Asked {
 std::vector<Asked> asked_measures(const Requirements& wanted, const SynthesisOptions& options) {
   std::vector<Asked> asked;
   for (const Criterion& each : criteria())
-    if (each.of && each.has_limit(wanted)) asked.push_back({fmt::format("requirements.{}", each.key), *each.of});
+    if (each.of && each.has_limit(wanted) && each.range.contains(each.limit(wanted)))
+      asked.push_back({fmt::format("requirements.{}", each.key), *each.of});
   asked.push_back({"options.objective", measure_of(options.objective)});
   if (options.pareto)
     for (const Objective objective : *options.pareto) asked.push_back({"options.pareto", measure_of(objective)});

@@ -18,6 +18,8 @@ double score_of(const std::optional<ToleranceReport>& report, Objective objectiv
   return -report->listed_error();
 }
 
+bool is_ours(const Measure& measure) { return measure == measures::tolerance_error || measure == measures::yield; }
+
 /// What is listed of it by a measure: the map knows few samples, and of straight lines few places.
 std::optional<double> listed(const ToleranceReport& report, const Measure& measure) {
   if (measure == measures::tolerance_error)
@@ -27,8 +29,7 @@ std::optional<double> listed(const ToleranceReport& report, const Measure& measu
 
 bool meets(const std::optional<ToleranceReport>& report, const Requirements& wanted) {
   return std::all_of(criteria().begin(), criteria().end(), [&](const Criterion& asked) {
-    const bool is_ours = asked.of && (*asked.of == measures::tolerance_error || *asked.of == measures::yield);
-    if (!is_ours || !asked.has_limit(wanted)) return true;
+    if (!asked.of || !is_ours(*asked.of) || !asked.has_limit(wanted)) return true;
     const auto measured = report ? listed(*report, *asked.of) : std::nullopt;
     return measured && asked.is_met_by(*measured, asked.limit(wanted));
   });
@@ -61,7 +62,7 @@ void report_tolerances(Answer& answer, const Progress& progress) {
                                       : std::nullopt);
   }
   if (!found.options.at && !progress.is_cancelled()) leave_out_what_fails(answer);
-  if (!is_of_analysis(found.options.objective) || found.options.at || found.options.pareto) return;
+  if (!is_ours(measure_of(found.options.objective)) || found.options.at || found.options.pareto) return;
   std::vector<std::size_t> order(found.tolerance.size());
   std::iota(order.begin(), order.end(), std::size_t{0});
   std::stable_sort(order.begin(), order.end(), [&](std::size_t a, std::size_t b) {

@@ -1,4 +1,3 @@
-
 #include "attitude_header.hpp"
 #include "files/json/json.hpp"
 #include "linkwright/files/twist_file.hpp"

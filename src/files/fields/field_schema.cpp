@@ -1,5 +1,6 @@
 #include "field_schema.hpp"
 
+#include <algorithm>
 #include <cmath>
 #include <fmt/format.h>
 #include <utility>
