@@ -1,6 +1,8 @@
 #include "problem_fields.hpp"
 
+#include <array>
 #include <fmt/format.h>
+#include <variant>
 
 #include "analyses/analyses.hpp"
 #include "document_fields.hpp"
@@ -61,12 +63,14 @@ void view_field(FieldVisitor& v, Problem& problem) {
 }  // namespace
 
 void fields(FieldVisitor& v, Task& task) {
-  v.kinds(task.index(), std::vector<Kind>{kind<MotionTask>("motion", "four_bar", task),
-                                          kind<FunctionTask>("function", "four_bar", task),
-                                          kind<SixBarTask>("motion", "six_bar", task),
-                                          kind<SphericalMotionTask>("motion", "spherical_four_bar", task),
-                                          kind<SphericalFunctionTask>("function", "spherical_four_bar", task),
-                                          kind<StraightLineTask>("straight_line", "four_bar", task)});
+  const std::array kinds = {kind<MotionTask>("motion", "four_bar", task),
+                            kind<FunctionTask>("function", "four_bar", task),
+                            kind<SixBarTask>("motion", "six_bar", task),
+                            kind<SphericalMotionTask>("motion", "spherical_four_bar", task),
+                            kind<SphericalFunctionTask>("function", "spherical_four_bar", task),
+                            kind<StraightLineTask>("straight_line", "four_bar", task)};
+  static_assert(kinds.size() == std::variant_size_v<Task>, "each kind has its line");
+  v.kinds(task.index(), kinds);
 }
 
 void fields(FieldVisitor& v, Problem& problem) {

@@ -13,7 +13,7 @@ struct ObjectiveRow {
   const Measure* by;  ///< the cells of a map; a larger or a smaller one is better, as it says
 };
 
-constexpr std::array<ObjectiveRow, 10> objective_rows = {{
+constexpr std::array<ObjectiveRow, static_cast<std::size_t>(Objective::end)> objective_rows = {{
     {Objective::min_transmission_angle, "min_transmission_angle", "largest minimum transmission angle",
      &measures::min_transmission_angle},
     {Objective::link_ratio, "link_ratio", "smallest link ratio", &measures::link_ratio},

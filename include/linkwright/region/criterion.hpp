@@ -30,9 +30,10 @@ enum class RequirementKind : std::uint8_t {
   min_stroke,
   max_deviation,
   max_tolerance_error,
-  min_yield
+  min_yield,
+  end  ///< none: how many there are
 };
-inline constexpr std::size_t requirement_kind_count = 16;
+inline constexpr auto requirement_kind_count = static_cast<std::size_t>(RequirementKind::end);
 
 /// A row of the table of all that can be required: filter, reader, writer and reports walk it.
 struct Criterion {

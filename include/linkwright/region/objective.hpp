@@ -24,7 +24,8 @@ enum class Objective {
   deviation,
   velocity_uniformity,
   tolerance_error,
-  yield
+  yield,
+  end  ///< none: how many there are
 };
 /// All there are.
 [[nodiscard]] std::span<const Objective> objectives();
