@@ -22,6 +22,7 @@ export default defineConfig({
   worker: {format: "es"},
   test: {
     include: ["src/**/*.test.ts", "tests/**/*.test.ts"],
+    setupFiles: ["tests/load_texts.ts"],
     // Against hanging alone: ten times what the slowest took on a busy machine.
     testTimeout: 300_000,
     hookTimeout: 600_000,

@@ -1,5 +1,6 @@
 // What the page shows before its engine has loaded: the first example's answers, and a small map with the best linkage of
-// every example. Runs the engine in node; writes src/engine/generated/stored.json, which src/engine/stored.ts reads.
+// every example. Runs the engine in node; writes src/engine/generated/stored.json and
+// thumbnails.json, which src/engine/stored.ts reads.
 import {deflateSync} from "fflate";
 import {readdirSync, readFileSync, writeFileSync} from "node:fs";
 import {basename} from "node:path";
@@ -129,8 +130,10 @@ const stored = {
     session,
     all.find(({name}) => name === start_name),
   ),
-  thumbnails: Object.fromEntries(all.map((problem) => [problem.name, thumbnail_of(session, problem)])),
 };
-const text = JSON.stringify(stored);
-writeFileSync(new URL("stored.json", generated), text);
-console.log(`bake: ${all.length} examples, ${(text.length / 1000).toFixed(1)} kB`);
+const thumbnails = Object.fromEntries(all.map((problem) => [problem.name, thumbnail_of(session, problem)]));
+for (const [name, value] of Object.entries({stored, thumbnails})) {
+  const text = JSON.stringify(value);
+  writeFileSync(new URL(`${name}.json`, generated), text);
+  console.log(`bake: ${name} of ${all.length} examples, ${(text.length / 1000).toFixed(1)} kB`);
+}

@@ -3,5 +3,6 @@ import {mount} from "svelte";
 import App from "./App.svelte";
 import "./app.css";
 import {load_views} from "./tasks/views";
+import {load_texts} from "./texts/texts.svelte";
 
-void Promise.all([opening, load_views()]).then(() => mount(App, {target: document.getElementById("app")!}));
+void Promise.all([opening, load_views(), load_texts()]).then(() => mount(App, {target: document.getElementById("app")!}));

@@ -21,7 +21,7 @@ import {
   type Requests,
 } from "../src/engine/protocol";
 import {Engine} from "../src/engine/serve";
-import {stored_start, thumbnail} from "../src/engine/stored";
+import {load_thumbnails, stored_start} from "../src/engine/stored";
 import {first_example} from "../src/gallery/gallery";
 import {halo_reach, roomy_squares} from "../src/state/halo_follower";
 import {sampled_cells} from "../src/region/sampled";
@@ -505,7 +505,7 @@ describe("the tailgate", () => {
     const shared = linkages.filter((found) => result.linkages.some((other: Found) => same(found, other)));
     expect(shared.length).toBeGreaterThanOrEqual(0.8 * linkages.length);
   });
-  test("is stored for the page to begin with", () => {
+  test("is stored for the page to begin with", async () => {
     const stored = stored_start(),
       live = explored(tailgate, stored.map.property, stored.map.samples);
     expect(stored.task.axes.input).toEqual(live.task.axes.input);
@@ -517,6 +517,7 @@ describe("the tailgate", () => {
     const {linkage} = ask("linkage", {problem: tailgate, tau: stored.linkage.tau});
     for (const [i, x] of linkage.drive!.states.entries())
       expect(Math.abs(stored.linkage.drive!.states[i]! - x)).toBeLessThanOrEqual(1e-7 * Math.abs(x));
+    const thumbnail = await load_thumbnails();
     expect(thumbnail("landing_gear")!.linkage!.pivots.length).toBe(4);
     expect(thumbnail("landing_gear")!.type.length).toBe(64 ** 2);
     expect(thumbnail("nothing")).toBeNull();

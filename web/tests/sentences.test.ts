@@ -18,6 +18,7 @@ beforeAll(async () => {
   vi.stubGlobal("getComputedStyle", () => ({getPropertyValue: () => "#000000"}));
   vi.doMock("../src/shell/start", () => ({first_workbench: () => workbench, begin: () => () => {}}));
   await (await import("../src/tasks/views")).load_views();
+  await (await import("../src/texts/texts.svelte")).load_texts();
   const {Workbench} = await import("../src/state/workbench.svelte"),
     {default: App} = await import("../src/App.svelte");
   workbench = new Workbench(problem);

@@ -26,11 +26,8 @@ interface Stored {
     states: string;
     live: Packed<"input" | "output">;
   };
-  thumbnails: Record<
-    string,
-    (Pick<Thumbnail, "title" | "rows" | "columns" | "linkage"> & Packed<"type" | "fails">) | undefined
-  >;
 }
+type StoredThumbnail = Pick<Thumbnail, "title" | "rows" | "columns" | "linkage"> & Packed<"type" | "fails">;
 const stored = untyped as unknown as Stored;
 
 function unpacked(text: string): Uint8Array<ArrayBuffer> {
@@ -115,10 +112,13 @@ export interface Thumbnail {
   /** The best linkage: centre and circle point of the input, then of the output. */
   linkage: {tau: TauPair; type: LinkageType; pivots: [Point, Point, Point, Point]} | null;
 }
-/** Of an example by its name (the file's, without .json); nothing for others. */
-export function thumbnail(name: string): Thumbnail | null {
-  const found = stored.thumbnails[name];
-  if (!found) return null;
+/** Of the examples, each by its name (the file's, without .json); nothing for others. Fetched when they are wanted: a first
+ *  visit does without. */
+export async function load_thumbnails(): Promise<(name: string) => Thumbnail | null> {
+  const all = (await import("./generated/thumbnails.json")).default as unknown as Record<string, StoredThumbnail>;
+  return (name) => (name in all ? thumbnail_of(all[name]!) : null);
+}
+function thumbnail_of(found: StoredThumbnail): Thumbnail {
   const has_map = found.rows > 0;
   return {
     ...found,

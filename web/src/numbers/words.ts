@@ -5,9 +5,8 @@ import {preferences} from "../state/preferences.svelte";
 import {screen_size} from "../state/screen.svelte";
 import type {Task} from "../state/task";
 import {called, made_up, name_of, requirement_descriptions} from "../tasks/kinds";
-import en from "../texts/en.json";
 import {degrees_text, fixed, length_text, significant} from "../texts/numbers";
-import {t, type TextKey} from "../texts/texts.svelte";
+import {is_text, t, type TextKey} from "../texts/texts.svelte";
 
 /** What stands where no linkage is in hand. */
 export function no_linkage_text(
@@ -20,12 +19,12 @@ export function no_linkage_text(
 /** On a phone no key can be pressed. */
 export function by_hand(key: TextKey): TextKey {
   const touched = `${key}_touch`;
-  return screen_size.kind === "phone" && touched in en ? (touched as TextKey) : key;
+  return screen_size.kind === "phone" && is_text(touched) ? touched : key;
 }
 /** A name that fits a table. */
 export function short_type(type: LinkageType): string {
   const short = `region.short.${type}`;
-  return t((short in en ? short : `type.${type}`) as TextKey);
+  return t(is_text(short) ? short : (`type.${type}` as TextKey));
 }
 /** Of a linkage of a task: a longer one than a four-bar is called by its make-up. */
 export function short_name(task: Task, type: LinkageType): string {

@@ -1,26 +1,55 @@
 import type {Notice} from "../engine/protocol";
 import {preferences} from "../state/preferences.svelte";
-import en from "./en.json";
-import zh from "./zh.json";
 
-export type TextKey = keyof typeof en;
+export type TextKey = keyof typeof import("./en.json");
 export type Values = Record<string, string | number>;
-const texts: Record<"en" | "zh", Record<string, string>> = {en, zh};
+type Language = typeof preferences.language;
+type Texts = Readonly<Record<string, string>>;
+
+const sources: Record<Language, () => Promise<{default: Texts}>> = {
+  en: () => import("./en.json"),
+  zh: () => import("./zh.json"),
+};
+const loaded: Partial<Record<Language, Texts>> = {};
+let shown = $state.raw<Language | null>(null);
+
+/** Before the page stands, and whenever another language is wanted: until it is there, the one before stays. Where it
+ *  cannot be had, that one is the language wanted again. */
+export async function load_texts(): Promise<void> {
+  const {language} = preferences;
+  try {
+    loaded[language] ??= (await sources[language]()).default;
+  } catch (error) {
+    if (shown === null) throw error;
+    if (preferences.language === language) preferences.language = shown;
+    return;
+  }
+  if (preferences.language === language) shown = language;
+}
+/** Those in force. */
+function texts(): Texts {
+  const language = preferences.language in loaded ? preferences.language : shown;
+  return (language && loaded[language]) ?? {};
+}
+
 const placeholder = /\{(\w+)(?::([^|}]*)\|([^}]*))?\}/g;
 
 /** The text in the language in force, its {placeholders} filled in. Reactive. */
 export function t(key: TextKey, values: Values = {}): string {
-  return filled(texts[preferences.language][key] ?? en[key] ?? key, values);
+  return filled(texts()[key] ?? key, values);
 }
 
 /** A sentence of the engine: that of the key in the texts, or its English message. */
 export function notice_text(notice: Notice, key = `notice.${notice.code}`): string {
-  const known = texts[preferences.language][key];
+  const known = texts()[key];
   return known === undefined ? notice.message : filled(as_far_as_known(known, notice.values), told(notice.values));
+}
+export function is_text(key: string): key is TextKey {
+  return key in texts();
 }
 /** The text of a key that may be there. */
 export function known_text(key: string): string | null {
-  return key in en ? t(key as TextKey) : null;
+  return is_text(key) ? t(key) : null;
 }
 /** A sentence whose value the engine did not give is left out. */
 function as_far_as_known(text: string, values: Values): string {

@@ -1,4 +1,4 @@
-import {afterEach, describe, expect, it} from "vitest";
+import {afterEach, describe, expect, it, vi} from "vitest";
 import {preferences} from "../state/preferences.svelte";
 import {notice_text, t} from "./texts.svelte";
 
@@ -35,5 +35,24 @@ describe("a notice", () => {
   });
   it("of an unknown code is the engine's own sentence", () => {
     expect(notice_text({...length, code: "new"})).toBe(length.message);
+  });
+});
+
+describe("a language", () => {
+  it("is fetched when it is wanted, and until then the one before stays", async () => {
+    vi.resetModules();
+    const [{preferences}, {load_texts, t}] = await Promise.all([
+      import("../state/preferences.svelte"),
+      import("./texts.svelte"),
+    ]);
+    preferences.language = "en";
+    await load_texts();
+    const english = t("app.bar");
+    preferences.language = "zh";
+    expect(t("app.bar")).toBe(english);
+    await load_texts();
+    expect(t("app.bar")).not.toBe(english);
+    preferences.language = "en";
+    expect(t("app.bar")).toBe(english);
   });
 });
