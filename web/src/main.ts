@@ -5,4 +5,6 @@ import "./app.css";
 import {load_views} from "./tasks/views";
 import {load_texts} from "./texts/texts.svelte";
 
-void Promise.all([opening, load_views(), load_texts()]).then(() => mount(App, {target: document.getElementById("app")!}));
+void Promise.all([opening, load_views(), load_texts()]).then(() =>
+  mount(App, {target: document.getElementById("app")!}),
+);
