@@ -200,7 +200,7 @@ function codes_of_sources(): string[] {
       ),
   );
   const made =
-    /\b(?:mistake|mistakes_?(?:\.|->)add)\(\s*"(\w+)"|(?:[{(]\s*|"(\w+)" : )"(\w+)",\s+(?:place|here|where|"--(?:pin|thickness)"|fmt::format\("--|"task\.|"options\.|"requirements\.|"linkwright"|fmt::format\("task\.)/g;
+    /\b(?:mistake|mistakes_?(?:\.|->)add)\(\s*"(\w+)"|(?:[{(]\s*|"(\w+)" : )"(\w+)",\s+(?:place|here|where|asked\.place|"tolerances|"--(?:pin|thickness)"|fmt::format\("--|"task\.|"options\.|"requirements\.|"linkwright"|fmt::format\("task\.)/g;
   return sources.flatMap((name) =>
     [...readFileSync(`${root}src/${name}`, "utf8").matchAll(made)].flatMap((found) => found.slice(1).filter(Boolean)),
   );

@@ -13,18 +13,19 @@ const sources: Record<Language, () => Promise<{default: Texts}>> = {
 const loaded: Partial<Record<Language, Texts>> = {};
 let shown = $state.raw<Language | null>(null);
 
-/** Before the page stands, and whenever another language is wanted: until it is there, the one before stays. Where it
- *  cannot be had, that one is the language wanted again. */
-export async function load_texts(): Promise<void> {
+/** Before the page stands, and whenever another language is wanted: until it is there, the one before stays. False: it
+ *  cannot be had, and the one before is the language wanted again. */
+export async function load_texts(): Promise<boolean> {
   const {language} = preferences;
   try {
     loaded[language] ??= (await sources[language]()).default;
   } catch (error) {
     if (shown === null) throw error;
     if (preferences.language === language) preferences.language = shown;
-    return;
+    return false;
   }
   if (preferences.language === language) shown = language;
+  return true;
 }
 /** Those in force. */
 function texts(): Texts {

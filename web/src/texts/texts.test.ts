@@ -55,4 +55,22 @@ describe("a language", () => {
     preferences.language = "en";
     expect(t("app.bar")).toBe(english);
   });
+  it("that cannot be had leaves the one before", async () => {
+    vi.resetModules();
+    vi.doMock("./zh.json", () => {
+      throw new Error("the server is gone");
+    });
+    const [{preferences}, {load_texts, t}] = await Promise.all([
+      import("../state/preferences.svelte"),
+      import("./texts.svelte"),
+    ]);
+    preferences.language = "en";
+    expect(await load_texts()).toBe(true);
+    const english = t("app.bar");
+    preferences.language = "zh";
+    expect(await load_texts()).toBe(false);
+    expect([preferences.language, t("app.bar")]).toEqual(["en", english]);
+    vi.doUnmock("./zh.json");
+    vi.resetModules();
+  });
 });
