@@ -1,5 +1,7 @@
 // The program `linkwright`: reads files, calls the library, prints for people or writes files; serves the workbench.
 
+#include <fmt/format.h>
+
 #include <CLI/CLI.hpp>
 #include <csignal>
 #include <cstdio>

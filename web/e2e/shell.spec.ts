@@ -234,6 +234,23 @@ test("19 · the engine dies in the middle of a map, and nothing is lost", async 
   );
 });
 
+test("19 · the rest of the engine's code cannot be had, and is asked for again", async ({page, complaints}) => {
+  const rest = /\/rest-[^/]*\.wasm$/;
+  await page.route(rest, (route) => route.abort("connectionfailed"));
+  await open_workbench(page);
+  await move_a_pose(page);
+  await until_settled(page); // a four-bar does without
+  await file_menu(page, "file.examples");
+  await page.getByTestId("example.folding_wing").click();
+  await expect(toasts(page)).toContainText("The engine failed several times in a row and is paused.");
+  await page.unroute(rest);
+  await toasts(page).getByRole("button", {name: "Start it again"}).click();
+  await until_ready(page);
+  await until_settled(page);
+  expect(await read_state(page, ({map}) => map!.census.pairs)).toBeGreaterThan(0);
+  complaints.expect_and_forget(/CONNECTION_FAILED|Failed to fetch|rest-/);
+});
+
 // ---- 21 ---------------------------------------------------------------------------------------------------------
 
 /** Words of Latin letters that are seen or spoken, but for names, units, signs, commands and files. */

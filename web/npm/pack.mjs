@@ -71,7 +71,7 @@ write("package.json", `${JSON.stringify({name, version, ...rest}, null, 2)}\n`);
 for (const file of ["README.md", "NOTICE"]) copyFileSync(new URL(file, import.meta.url), join(folder, file));
 copyFileSync(join(root, "LICENSE"), join(folder, "LICENSE"));
 mkdirSync(join(folder, "engine/generated"));
-for (const file of ["linkwright.mjs", "linkwright.wasm"])
+for (const file of ["linkwright.mjs", "first.wasm", "rest.wasm"])
   copyFileSync(join(source, "engine/generated", file), join(folder, "engine/generated", file));
 execFileSync("npm", ["pack", "--silent", "--pack-destination", target, folder], {
   stdio: ["ignore", "inherit", "inherit"],

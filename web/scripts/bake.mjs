@@ -2,7 +2,7 @@
 // every example. Runs the engine in node; writes src/engine/generated/stored.json and
 // thumbnails.json, which src/engine/stored.ts reads.
 import {deflateSync} from "fflate";
-import {readdirSync, readFileSync, writeFileSync} from "node:fs";
+import {existsSync, readdirSync, readFileSync, writeFileSync} from "node:fs";
 import {basename} from "node:path";
 import {fileURLToPath} from "node:url";
 import {runnerImport} from "vite";
@@ -16,12 +16,17 @@ const property = "min_transmission_angle_deg";
 const folders = ["../../examples/", "../src/gallery/"].map((path) => new URL(path, import.meta.url));
 const generated = new URL("../src/engine/generated/", import.meta.url);
 
+async function loaded(file) {
+  const path = fileURLToPath(new URL(`../src/engine/${file}`, import.meta.url));
+  return (await runnerImport(path)).module;
+}
 async function loaded_engine() {
-  const {default: create_linkwright} = await import(new URL("linkwright.mjs", generated)).catch(() => {
+  if (!existsSync(new URL("linkwright.mjs", generated))) {
     console.error("bake: the engine is not built: cmake --preset wasm && cmake --build --preset wasm");
     process.exit(1);
-  });
-  return create_linkwright({wasmBinary: readFileSync(new URL("linkwright.wasm", generated))});
+  }
+  const {load_module} = await loaded("node.ts");
+  return load_module();
 }
 
 /** Bytes as text. */
@@ -120,7 +125,7 @@ function thumbnail_of(session, problem) {
   return thumbnail;
 }
 
-const {linkage_of} = (await runnerImport(fileURLToPath(new URL("../src/engine/adapter.ts", import.meta.url)))).module;
+const {linkage_of} = await loaded("adapter.ts");
 const engine = await loaded_engine();
 const session = new engine.Session();
 const all = problems();

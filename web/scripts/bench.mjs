@@ -1,10 +1,11 @@
 // What the page asks of its engine, timed in node; bench/session_bench.cpp asks the same of the native engine. Writes the
 // milliseconds of each question, a JSON object.
 import {readFileSync} from "node:fs";
+import {fileURLToPath} from "node:url";
+import {runnerImport} from "vite";
 
-const generated = new URL("../src/engine/generated/", import.meta.url);
-const {default: create_linkwright} = await import(new URL("linkwright.mjs", generated));
-const engine = await create_linkwright({wasmBinary: readFileSync(new URL("linkwright.wasm", generated))});
+const node = fileURLToPath(new URL("../src/engine/node.ts", import.meta.url));
+const engine = await (await runnerImport(node)).module.load_module();
 const example = (name) => readFileSync(new URL(`../../examples/${name}.json`, import.meta.url), "utf8");
 const tailgate = example("tailgate");
 const tau = [1.3125, 1.1125];

@@ -5,7 +5,7 @@ import {tmpdir} from "node:os";
 import {join} from "node:path";
 import {fileURLToPath} from "node:url";
 import {beforeAll, describe, expect, test} from "vitest";
-import {create_linkwright} from "../src/engine/module";
+import {load_module} from "../src/engine/node";
 import {
   linkage_types,
   state_width,
@@ -42,7 +42,6 @@ import {round_of, rounds_of} from "../src/tasks/six_bar/search.svelte";
 const root = fileURLToPath(new URL("../../", import.meta.url));
 const program = join(root, "build/release/bin/linkwright");
 const scratch = mkdtempSync(join(tmpdir(), "linkwright-"));
-const wasm = new URL("../src/engine/generated/linkwright.wasm", import.meta.url);
 const tailgate = readFileSync(join(root, "examples/tailgate.json"), "utf8");
 const all_properties = Object.keys(property_descriptions) as Property[];
 const coarse = 100;
@@ -52,7 +51,7 @@ const locked_deg = 1e-3; // so near a dead point a last bit decides whether it i
 let server: Engine;
 beforeAll(async () => {
   expect(existsSync(program), "build/release is built first (script/build)").toBe(true);
-  server = new Engine(await create_linkwright({wasmBinary: readFileSync(wasm)}));
+  server = new Engine(await load_module());
 });
 
 function reply<K extends Kind>(kind: K, content: Requests[K]): Replies[K] | {refused: Mistake[]} {

@@ -1,12 +1,10 @@
 // What the engine tells of special configurations has its words.
-import {readFileSync} from "node:fs";
 import {expect, it} from "vitest";
-import {create_linkwright} from "../engine/module";
+import {load_module} from "../engine/node";
 import type {InstantReport, Point} from "../engine/protocol";
 import {known_text} from "../texts/texts.svelte";
 
-const wasm = readFileSync(new URL("../engine/generated/linkwright.wasm", import.meta.url));
-const engine = create_linkwright({wasmBinary: wasm});
+const engine = load_module();
 
 const bars = (input_circle: Point, output_circle: Point, output_center: Point = [4, 0]) => ({
   input_center: [0, 0],

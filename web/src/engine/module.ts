@@ -60,7 +60,45 @@ export interface LinkwrightModule {
   version(): string;
 }
 
-/** In node the module's bytes are given; a browser fetches them from beside the script. */
-export const create_linkwright = untyped as unknown as (options?: {
-  wasmBinary?: Uint8Array;
+/** The engine's code: what a first minute with a four-bar runs, and the rest, which the first calls into
+ *  (scripts/split_engine.mjs). A rest that is a function is asked for in the middle of a call that needs it. */
+export interface Code {
+  first: WebAssembly.Module;
+  rest: WebAssembly.Module | (() => WebAssembly.Module);
+}
+type Create = (hooks: {
+  instantiateWasm(imports: WebAssembly.Imports, done: (instance: WebAssembly.Instance) => void): object;
 }) => Promise<LinkwrightModule>;
+const create = untyped as unknown as Create;
+
+export function create_linkwright(code: Code): Promise<LinkwrightModule> {
+  return new Promise((resolve, reject) => {
+    const instantiateWasm = (imports: WebAssembly.Imports, done: (instance: WebAssembly.Instance) => void) => {
+      instantiate(code, imports).then(done, reject);
+      return {};
+    };
+    create({instantiateWasm}).then(resolve, reject);
+  });
+}
+
+/** Where the first module has no function of its own it imports one, under its place in the table of functions that both
+ *  share; the rest puts the function there. */
+async function instantiate({first, rest}: Code, imports: WebAssembly.Imports): Promise<WebAssembly.Instance> {
+  let is_whole = false;
+  const function_at = (place: string) => {
+    return (...values: unknown[]): unknown => {
+      if (!is_whole) new WebAssembly.Instance(rest instanceof WebAssembly.Module ? rest : rest(), of_rest);
+      is_whole = true;
+      return table.get(Number(place))(...values);
+    };
+  };
+  const places = new Proxy<WebAssembly.ModuleImports>({}, {get: (_, place) => function_at(place as string)});
+  const instance = await WebAssembly.instantiate(first, {...imports, rest: places}),
+    table = Object.values(instance.exports).find((item) => item instanceof WebAssembly.Table)!;
+  const of_rest = {...imports, first: instance.exports};
+  if (rest instanceof WebAssembly.Module) {
+    await WebAssembly.instantiate(rest, of_rest);
+    is_whole = true;
+  }
+  return instance;
+}

@@ -1,10 +1,20 @@
-// The npm package in node: the module's bytes come from its file.
+// The npm package in node: the engine's code comes from its files.
 import {readFile} from "node:fs/promises";
-import {load_engine as load, type Engine} from "./index";
+import {code_urls, type CodePart} from "./code";
+import {load_engine as load, type Code, type Engine} from "./index";
+import {create_linkwright, type LinkwrightModule} from "./module";
 
 export * from "./index";
 
-export async function load_engine(options: {wasmBinary?: Uint8Array} = {}): Promise<Engine> {
-  const file = new URL("./generated/linkwright.wasm", import.meta.url);
-  return load({wasmBinary: options.wasmBinary ?? (await readFile(file))});
+async function code_here(): Promise<Code> {
+  const compiled = async (part: CodePart) => WebAssembly.compile(await readFile(code_urls[part]));
+  return {first: await compiled("first"), rest: await compiled("rest")};
+}
+
+export async function load_engine(code?: Code): Promise<Engine> {
+  return load(code ?? (await code_here()));
+}
+/** What the engine asks: bindings/wasm/bind.cpp. */
+export async function load_module(): Promise<LinkwrightModule> {
+  return create_linkwright(await code_here());
 }

@@ -6,7 +6,7 @@ import {tmpdir} from "node:os";
 import {join} from "node:path";
 import {fileURLToPath} from "node:url";
 import {afterEach, beforeAll, describe, expect, it} from "vitest";
-import {create_linkwright} from "../engine/module";
+import {load_module} from "../engine/node";
 import type {MachineFormat, MachinePlan, TauPair} from "../engine/protocol";
 import {Refusal} from "../engine/refusal";
 import {Engine} from "../engine/serve";
@@ -17,11 +17,10 @@ import {engine_text, type Problem} from "../state/problem";
 import {load_views, task_view} from "../tasks/views";
 import {plate_choice} from "./plate_form.svelte";
 
-const wasm = readFileSync(new URL("../engine/generated/linkwright.wasm", import.meta.url));
 const program = fileURLToPath(new URL("../../../build/release/bin/linkwright", import.meta.url));
 let engine: Engine;
 beforeAll(async () => {
-  engine = new Engine(await create_linkwright({wasmBinary: wasm}));
+  engine = new Engine(await load_module());
   await load_views();
 });
 

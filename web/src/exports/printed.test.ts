@@ -1,14 +1,13 @@
 // The printed sheet has a title and numbers of its own: the engine's are cut off its drawing.
-import {readFileSync} from "node:fs";
 import {beforeAll, expect, it} from "vitest";
-import {create_linkwright, type Session} from "../engine/module";
+import {load_module} from "../engine/node";
+import type {Session} from "../engine/module";
 import {examples} from "../gallery/gallery";
 import {engine_text} from "../state/problem";
 import {card_of} from "./take_away";
 
-const wasm = readFileSync(new URL("../engine/generated/linkwright.wasm", import.meta.url));
 let session: Session;
-beforeAll(async () => void (session = new (await create_linkwright({wasmBinary: wasm})).Session()));
+beforeAll(async () => void (session = new (await load_module()).Session()));
 
 it.each(["tailgate", "straight_watt_suspension", "wrist_orthosis"])(
   "title and numbers lie outside of the card: %s",

@@ -1,15 +1,14 @@
 // What the engine exports is what the page opens.
-import {readFileSync} from "node:fs";
 import {beforeAll, describe, expect, it} from "vitest";
-import {create_linkwright, type Session} from "../engine/module";
+import {load_module} from "../engine/node";
+import type {Session} from "../engine/module";
 import {examples, first_example} from "../gallery/gallery";
 import {engine_text, type Problem} from "../state/problem";
 import {read_problem} from "../state/problem_shape";
 import {told} from "./own_files";
 
-const wasm = readFileSync(new URL("../engine/generated/linkwright.wasm", import.meta.url));
 let session: Session;
-beforeAll(async () => void (session = new (await create_linkwright({wasmBinary: wasm})).Session()));
+beforeAll(async () => void (session = new (await load_module()).Session()));
 
 interface Best {
   tau: [number, number];

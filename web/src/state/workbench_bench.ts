@@ -1,7 +1,6 @@
 // For tests: the one state with the real engine behind it, in this thread.
-import {readFileSync} from "node:fs";
 import {afterEach, beforeAll} from "vitest";
-import {create_linkwright} from "../engine/module";
+import {load_module} from "../engine/node";
 import type {ReplyMessage, RequestMessage} from "../engine/protocol";
 import {Engine} from "../engine/serve";
 import {fine_samples} from "./map_follower";
@@ -9,7 +8,6 @@ import {preferences} from "./preferences.svelte";
 import type {Problem} from "./problem";
 import {Workbench} from "./workbench.svelte";
 
-const wasm = readFileSync(new URL("../engine/generated/linkwright.wasm", import.meta.url));
 let servers: (() => Engine)[];
 
 /** What the engine says a map took; null: the truth. */
@@ -59,7 +57,7 @@ class Thread {
 }
 
 beforeAll(async () => {
-  const modules = [await create_linkwright({wasmBinary: wasm}), await create_linkwright({wasmBinary: wasm})];
+  const modules = [await load_module(), await load_module()];
   servers = modules.map((module) => () => new Engine(module));
   preferences.colour_by = "type";
 });

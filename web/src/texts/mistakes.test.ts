@@ -2,7 +2,7 @@ import {execFileSync} from "node:child_process";
 import {existsSync, readdirSync, readFileSync} from "node:fs";
 import {fileURLToPath} from "node:url";
 import {afterEach, beforeAll, describe, expect, it} from "vitest";
-import {create_linkwright} from "../engine/module";
+import {load_module} from "../engine/node";
 import type {Mistake, PlateSizes} from "../engine/protocol";
 import {preferences} from "../state/preferences.svelte";
 import en from "./en.json";
@@ -10,14 +10,13 @@ import {mistake_text, mistakes_text} from "./mistakes";
 
 const root = fileURLToPath(new URL("../../../", import.meta.url));
 const folder = `${root}data/bad_problems/`;
-const wasm = new URL("../engine/generated/linkwright.wasm", import.meta.url);
 const program = `${root}build/release/bin/linkwright`;
 
 let read: (text: string) => Mistake[];
 /** Of the plates of a linkage, which are asked for beside a file. */
 let of_plates: (asked: PlatesAsked) => Mistake[];
 beforeAll(async () => {
-  const session = new (await create_linkwright({wasmBinary: readFileSync(wasm)})).Session();
+  const session = new (await load_module()).Session();
   read = (text) => (session.read(text) ? [] : (JSON.parse(session.mistakes()) as Mistake[]));
   of_plates = ({example, at, sizes, format}) => {
     session.set_problem(readFileSync(`${root}examples/${example}.json`, "utf8"));

@@ -1,18 +1,16 @@
 // The engine as it is built for the page: its walks along a six-bar's configurations agree with the program's.
-import {readFileSync} from "node:fs";
 import {beforeAll, expect, it} from "vitest";
-import {create_linkwright} from "../../engine/module";
+import {load_module} from "../../engine/node";
 import {Engine} from "../../engine/serve";
 import {whole, type Kind, type Replies, type Requests} from "../../engine/protocol";
 import {examples} from "../../gallery/gallery";
 import {engine_text} from "../../state/problem";
 import {six_bar_kind} from "./kind";
 
-const wasm = readFileSync(new URL("../../engine/generated/linkwright.wasm", import.meta.url));
 const problem = engine_text(examples.find(({name}) => name === "wheel_loader")!.problem);
 let server: Engine;
 beforeAll(async () => {
-  server = new Engine(await create_linkwright({wasmBinary: wasm}));
+  server = new Engine(await load_module());
 });
 function ask<K extends Kind>(kind: K, content: Requests[K]): Replies[K] {
   const {message} = server.serve({id: 1, kind, ...content} as never);

@@ -1,11 +1,11 @@
 // The engine as it is built for the page: every case has a map, and what is told of its linkages agrees with itself.
 import {execFileSync} from "node:child_process";
-import {existsSync, mkdtempSync, readFileSync, rmSync, writeFileSync} from "node:fs";
+import {existsSync, mkdtempSync, rmSync, writeFileSync} from "node:fs";
 import {tmpdir} from "node:os";
 import {join} from "node:path";
 import {fileURLToPath} from "node:url";
 import {beforeAll, describe, expect, it} from "vitest";
-import {create_linkwright} from "../../engine/module";
+import {load_module} from "../../engine/node";
 import {whole, type Kind, type MapAnswer, type Replies, type Requests, type TauPair} from "../../engine/protocol";
 import {Engine} from "../../engine/serve";
 import {examples} from "../../gallery/gallery";
@@ -19,10 +19,9 @@ import {counted, driven_place, place_at, profile_plot, speed_plot} from "./profi
 import type {StraightLineTask} from "./task";
 
 const mapped = examples.filter(({name}) => name.startsWith("straight_") && name !== "straight_search");
-const wasm = readFileSync(new URL("../../engine/generated/linkwright.wasm", import.meta.url));
 let server: Engine;
 beforeAll(async () => {
-  server = new Engine(await create_linkwright({wasmBinary: wasm}));
+  server = new Engine(await load_module());
 });
 function ask<K extends Kind>(kind: K, content: Requests[K]): Replies[K] {
   const {message} = server.serve({id: 1, kind, ...content} as never);
