@@ -48,6 +48,8 @@ describe("imports", () => {
     expect(imports.get("main.ts")).toEqual([
       "shell/work_store_opening.ts",
       "App.svelte",
+      "shell/start.ts",
+      "state/context.ts",
       "tasks/views.ts",
       "texts/texts.svelte.ts",
     ]);

@@ -1,11 +1,13 @@
 // A kind of task is a folder and a line: one that the frame has never heard of is read, shown, required of, pinned, printed
 // and taken away, with its own stage and without a map.
+import type {Component} from "svelte";
 import {afterAll, beforeAll, describe, expect, it, vi} from "vitest";
 import type {RequestMessage, TaskAnswer} from "../src/engine/protocol";
 import type {Workbench} from "../src/state/workbench.svelte";
 import {new_problem, swinging, type SwingTask} from "./swing/index";
 
 let workbench: Workbench;
+let part_of_page: (part: {default: Component}) => string;
 let page: () => string;
 const problem = new_problem(),
   linkage = swinging(problem.task as SwingTask);
@@ -17,13 +19,15 @@ beforeAll(async () => {
     const {task_modules} = await original<typeof import("../src/tasks/registry")>();
     return {task_modules: [...task_modules, (await import("./swing/index")).swing]};
   });
-  vi.doMock("../src/shell/start", () => ({first_workbench: () => workbench, begin: () => () => {}}));
+  vi.doMock("../src/shell/start", () => ({begin: () => () => {}}));
   await (await import("../src/tasks/views")).load_views();
-  const {Workbench} = await import("../src/state/workbench.svelte"),
+  const {context_of} = await import("../src/state/context"),
+    {Workbench} = await import("../src/state/workbench.svelte"),
     {default: App} = await import("../src/App.svelte");
   workbench = new Workbench(problem);
   const {render} = await import("svelte/server");
-  page = () => render(App).body;
+  part_of_page = ({default: Part}) => render(Part, {context: context_of(workbench)}).body;
+  page = () => part_of_page({default: App});
 });
 afterAll(() => {
   vi.doUnmock("../src/tasks/registry");
@@ -55,9 +59,7 @@ describe("a kind of its own", () => {
     expect(stage()).toContain("<path");
   });
   it("can be begun", async () => {
-    workbench.dialog = "new";
-    expect(page()).toContain("swing.picture.swing");
-    workbench.dialog = null;
+    expect(part_of_page(await import("../src/shell/NewTask.svelte"))).toContain("swing.picture.swing");
   });
   it("is pinned with its own pivots, which are read again and show it without the engine", async () => {
     take();
@@ -83,9 +85,9 @@ describe("a kind of its own", () => {
       delete swing.without_linkages;
     }
   });
-  it("is printed with its table and its dimensions", () => {
+  it("is printed with its table and its dimensions", async () => {
     take();
-    const sheet = page().split('data-testid="export.sheet"')[1]!;
+    const sheet = part_of_page(await import("../src/exports/PrintSheet.svelte"));
     for (const part of ["A gate", "swing °", "radius of the gate"]) expect(sheet).toContain(part);
   });
   it("is taken away as the engine writes it, and as a film", async () => {

@@ -16,14 +16,15 @@ beforeAll(async () => {
   vi.resetModules();
   vi.stubGlobal("document", {documentElement: {}});
   vi.stubGlobal("getComputedStyle", () => ({getPropertyValue: () => "#000000"}));
-  vi.doMock("../src/shell/start", () => ({first_workbench: () => workbench, begin: () => () => {}}));
+  vi.doMock("../src/shell/start", () => ({begin: () => () => {}}));
   await (await import("../src/tasks/views")).load_views();
   await (await import("../src/texts/texts.svelte")).load_texts();
-  const {Workbench} = await import("../src/state/workbench.svelte"),
+  const {context_of} = await import("../src/state/context"),
+    {Workbench} = await import("../src/state/workbench.svelte"),
     {default: App} = await import("../src/App.svelte");
   workbench = new Workbench(problem);
   const {render} = await import("svelte/server");
-  page = () => render(App).body;
+  page = () => render(App, {context: context_of(workbench)}).body;
 });
 afterEach(async () => {
   const {screen_size} = await import("../src/state/screen.svelte");

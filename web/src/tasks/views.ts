@@ -1,19 +1,30 @@
-// The views of the kinds of tasks there are.
+// The views of the kinds of tasks there are: that of the task on screen first, the others later.
+import {SvelteMap} from "svelte/reactivity";
+import {later} from "../look/later.svelte";
 import type {Task} from "../state/task";
 import type {TaskKind} from "./kind";
 import {kind_of, task_kinds} from "./kinds";
 import {task_modules} from "./registry";
 import type {TaskView} from "./view";
 
-const views = new Map<unknown, TaskView>();
+const views = new SvelteMap<unknown, TaskView>();
 
-/** Before the page stands. */
-export async function load_views(): Promise<void> {
-  await Promise.all(task_modules.map(async (module) => views.set(module, await module.view())));
+async function load(module: (typeof task_modules)[number]): Promise<void> {
+  if (!views.has(module)) views.set(module, await module.view());
+}
+/** Before the page stands, and whenever a task of another kind comes. */
+export async function load_view(task: Task): Promise<void> {
+  await load(task_modules.find((module) => module === kind_of(task))!);
+}
+/** Before tasks of several kinds are shown beside each other. */
+export const load_views = later(async () => void (await Promise.all(task_modules.map(load))));
+/** Reactive. */
+export function has_view(task: Task): boolean {
+  return views.has(kind_of(task));
 }
 function view_of(kind: TaskKind | undefined): TaskView {
   const view = views.get(kind);
-  if (!view) throw new Error("the views are not loaded");
+  if (!view) throw new Error("the view is not loaded");
   return view;
 }
 export function task_view(task: Task): TaskView {
