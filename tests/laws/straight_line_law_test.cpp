@@ -246,6 +246,7 @@ TEST(StraightLineLaw, CellsOfMapsHaveTheFiguresOfTheExactPath) {
   EXPECT_LE(off.strip, 0.01 * off.seen);
   EXPECT_LE(off.far, 0.002 * off.seen + 1);
   EXPECT_LE(off.reach, 0.003 * off.seen);
+  if (!testing::draws_are_many) return;
   // Strips as long lie side by side where the path crosses its line: what is off the line then is a matter of which.
   EXPECT_LE(off.deviation, 0.12 * off.seen);
   EXPECT_LE(off.angle, 0.05 * off.seen);

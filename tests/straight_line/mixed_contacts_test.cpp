@@ -390,7 +390,9 @@ TEST(MixedDesigns, NameASlider) {
                   std::abs(beside.point - beside.bars.output_moving)});
     vanishing += shortest < 2 * tolerance::vanishing_link * beside.longest();
   }
-  EXPECT_GT(sliders, 2);
+  if (testing::draws_are_many) {
+    EXPECT_GT(sliders, 2);
+  }
   EXPECT_EQ(sliders + vanishing, passages);
 }
 

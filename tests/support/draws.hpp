@@ -24,4 +24,11 @@ namespace linkwright::testing {
   return (count + share - 1) / share;
 }
 
+/// Whether they are so many that what is rare must be among them, and shares of them are near what they tend to.
+#ifdef LINKWRIGHT_SANITIZED
+inline constexpr bool draws_are_many = false;
+#else
+inline constexpr bool draws_are_many = true;
+#endif
+
 }  // namespace linkwright::testing
