@@ -13,6 +13,7 @@ import {
   test,
   toasts,
   type_into,
+  until_at_rest,
   until_mapped,
   until_settled,
 } from "./support";
@@ -400,6 +401,7 @@ test("a dropped table of positions is taken; models and documents are told from 
 
 test("films that cannot be made say why, and a failure is no success", async ({page, complaints}) => {
   await open_settled(page);
+  await until_at_rest(page);
   await page.route(/\.js$/, (route) => route.abort());
   await page.getByTestId("export.title").click();
   await expect(page.getByTestId("export.mp4")).toContainText("could not be loaded");
@@ -408,6 +410,17 @@ test("films that cannot be made say why, and a failure is no success", async ({p
   await expect(status).toContainText("could not be made");
   await expect(status).toHaveClass(/failed/);
   complaints.expect_and_forget(/\.js|ERR_FAILED/);
+});
+test("a dialog that cannot be loaded says so, and is there as soon as it can", async ({page, complaints}) => {
+  const dialog = /\/ExportDialog-[^/]*\.js$/;
+  await page.route(dialog, (route) => route.abort());
+  await open_settled(page);
+  await page.getByTestId("export.title").click();
+  await expect(page.getByTestId("failed.dialog.title")).toBeVisible();
+  await page.unroute(dialog);
+  await page.getByTestId("failed.again").click();
+  await expect(page.getByTestId("export.dxf")).toBeVisible();
+  complaints.expect_and_forget(/ExportDialog|ERR_FAILED|Failed to fetch/);
 });
 test("a sphere that cannot be loaded says so, and is there as soon as it can", async ({page, complaints}) => {
   await open_settled(page);

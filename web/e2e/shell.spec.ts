@@ -191,6 +191,50 @@ test("6 · from the start to a DXF by keys alone, the focus always in sight", as
   expect(past_the_end).toBeLessThanOrEqual(1);
 });
 
+test("a visitor who comes back sees his own map before the engine is there", async ({page}) => {
+  await open_workbench(page);
+  await move_a_pose(page);
+  await until_settled(page);
+  const before = await shown(page);
+  await expect.poll(() => kept_question(page)).toBe(await question(page));
+  let release = (): void => {};
+  const released = new Promise<void>((resolve) => (release = resolve));
+  await page.route(/\.wasm$/, async (route) => {
+    await released;
+    await route.continue();
+  });
+  await page.reload();
+  await page.waitForFunction(() => globalThis.__linkwright?.painted_map());
+  expect(await read_state(page, ({engine_state}) => engine_state)).toBe("loading");
+  expect(await read_state(page, ({map, hand}) => [map!.rows > 0, hand!.fails])).toEqual([true, 0]);
+  await keep_screenshot(page, "come-back");
+  release();
+  await until_ready(page);
+  await until_settled(page);
+  expect(await shown(page)).toEqual(before);
+});
+const question = (page: Page) =>
+  read_state(page, ({problem}) => {
+    const {view: _, ...rest} = problem;
+    return JSON.stringify(rest);
+  });
+/** Of the view that is kept for the next visit. */
+const kept_question = (page: Page) =>
+  page.evaluate(async () => {
+    const is_there = (await indexedDB.databases()).some(({name}) => name === "linkwright_view");
+    if (!is_there) return null; // opening it would make it
+    const database = await new Promise<IDBDatabase>((resolve) => {
+      const opening = indexedDB.open("linkwright_view");
+      opening.onsuccess = () => resolve(opening.result);
+    });
+    const view = await new Promise<{question: string} | undefined>((resolve) => {
+      const reading = database.transaction("view").objectStore("view").get("last");
+      reading.onsuccess = () => resolve(reading.result);
+    });
+    database.close();
+    return view?.question ?? null;
+  });
+
 // ---- 19 ---------------------------------------------------------------------------------------------------------
 
 test("19 · the engine dies in the middle of a map, and nothing is lost", async ({page}) => {

@@ -145,6 +145,12 @@ export async function until_ready(page: Page): Promise<void> {
   await page.waitForFunction(() => globalThis.__linkwright?.ready === true);
 }
 
+/** What a first visit did without has come, too. */
+export async function until_at_rest(page: Page): Promise<void> {
+  const has_come = () => performance.getEntriesByType("resource").some(({name}) => name.includes("ExportDialog"));
+  await page.waitForFunction(has_come);
+  await page.waitForLoadState("networkidle");
+}
 /** The map on screen is that of the problem as it is. */
 export async function until_mapped(page: Page): Promise<void> {
   await page.waitForFunction(() => {

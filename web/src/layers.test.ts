@@ -48,6 +48,7 @@ describe("imports", () => {
     expect(imports.get("main.ts")).toEqual([
       "shell/work_store_opening.ts",
       "App.svelte",
+      "shell/kept_view.svelte.ts",
       "shell/start.ts",
       "state/context.ts",
       "tasks/views.ts",

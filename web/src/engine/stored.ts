@@ -52,22 +52,59 @@ function unpacked_numbers(text: string, width = 1): Float64Array {
   return Float64Array.from(new Float32Array(bits.buffer));
 }
 
-export interface StoredStart {
-  /** The example's name: the answers are those of its file as it is. */
-  name: string;
+/** What was on screen, or will be once the engine is there. */
+export interface StoredView {
   task: TaskAnswer;
-  /** Without property values and ridges (all 0). */
+  /** Without ridges (all 0). */
   map: MapAnswer;
   linkage: Linkage;
-  live: Replies["live"];
+  live: Replies["live"] | null;
 }
+/** Of the file of this name as it is; its map has no values of a property (all 0). */
+export interface StoredStart extends StoredView {
+  name: string;
+}
+/** Every so many-th row and column of a map, so that there are at most so many of each. Without ridges (all 0). */
+export function thinned(map: MapAnswer, most: number): MapAnswer {
+  const rows = thinned_indexes(map.rows, most),
+    columns = thinned_indexes(map.columns, most),
+    cells = rows.flatMap((row) => columns.map((column) => row * map.columns + column));
+  return {
+    ...map,
+    ...no_ridges(rows.length, columns.length),
+    samples: Math.min(map.samples, most),
+    rows: rows.length,
+    columns: columns.length,
+    input_tau: Float64Array.from(rows, (row) => map.input_tau[row]!),
+    output_tau: Float64Array.from(columns, (column) => map.output_tau[column]!),
+    type: Uint8Array.from(cells, (cell) => map.type[cell]!),
+    defects: Uint8Array.from(cells, (cell) => map.defects[cell]!),
+    fails: Uint16Array.from(cells, (cell) => map.fails[cell]!),
+    value: Float32Array.from(cells, (cell) => map.value[cell]!),
+  };
+}
+function thinned_indexes(length: number, most: number): number[] {
+  const step = Math.max(Math.ceil(length / most), 1);
+  return Array.from({length: Math.ceil(length / step)}, (_, k) => k * step);
+}
+function no_ridges(rows: number, columns: number): Pick<MapAnswer, "ridge"> {
+  const values = (count: number) => new Float32Array(count),
+    partners = (count: number) => new Uint32Array(count);
+  return {
+    ridge: {
+      input: values(rows),
+      input_partner: partners(rows),
+      output: values(columns),
+      output_partner: partners(columns),
+    },
+  };
+}
+
 /** The first example, in single precision. */
 export function stored_start(): StoredStart {
   const {name, task, curves, map, linkage, states, live} = stored.start;
   const tau = unpacked_numbers(map.tau),
     {samples} = map;
-  const none = () => new Float32Array(samples),
-    nobody = () => new Uint32Array(samples);
   return {
     name,
     task: {
@@ -93,7 +130,7 @@ export function stored_start(): StoredStart {
       defects: unpacked(map.defects),
       fails: unpacked_bits(map.fails),
       value: new Float32Array(samples ** 2),
-      ridge: {input: none(), input_partner: nobody(), output: none(), output_partner: nobody()},
+      ...no_ridges(samples, samples),
     },
     linkage: {
       ...linkage,

@@ -17,6 +17,3 @@ export async function come_to_rest(): Promise<void> {
 export function is_at_rest(): boolean {
   return at_rest;
 }
-export function rethrow(error: unknown): never {
-  throw error;
-}

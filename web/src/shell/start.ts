@@ -6,22 +6,22 @@ import {engine_text, type Problem} from "../state/problem";
 import {Workbench} from "../state/workbench.svelte";
 import {open_once} from "../transport/play";
 import {accept_drops} from "./files";
+import {view_for, type KeptView} from "./kept_view.svelte";
 import {open_link} from "./links";
 import {save_text} from "../exports/save";
 import {damaged_work, forget_damaged, keep_work, own_slot, read_work} from "./storage";
 
-/** Until a link has been read, which takes the engine. The first example is on screen before the engine is. */
-export function first_workbench(): Workbench {
+/** Until a link has been read, which takes the engine. `view`: of the last visit, perhaps; what it shows, or the first
+ *  example, is on screen before the engine is there. */
+export function first_workbench(view: KeptView | null): Workbench {
   const slot = own_slot(),
     kept = read_work(slot);
   const workbench = new Workbench(kept ?? first_example.problem),
     problem = workbench.whole_problem;
   workbench.slot = slot;
   workbench.kept_since = kept?.at ?? null;
-  if (is_first_example(problem)) {
-    const {task, map, linkage, live} = stored_start();
-    workbench.show_stored(task, map, linkage, live);
-  }
+  const stored = view_for(workbench, view) ?? (is_first_example(problem) ? stored_start() : null);
+  if (stored) workbench.show_stored(stored.task, stored.map, stored.linkage, stored.live);
   return workbench;
 }
 function is_first_example(problem: Problem): boolean {

@@ -190,6 +190,22 @@ describe("tabs", () => {
     third.workbench.redo();
     expect(x(third)).toBe(12);
   });
+  it("keep what is in hand without a step, of work that there is", () => {
+    const put = (tab: Tab, tau: [number, number]) => {
+      tab.workbench.amend({picked: {tau, place: null}});
+      vi.advanceTimersByTime(1000);
+    };
+    const first = opened(),
+      {picked} = first.workbench;
+    put(first, [0.1, 0.2]);
+    first.end();
+    const second = opened();
+    expect(second.workbench.picked).toEqual(picked);
+    move(second, 11);
+    put(second, [0.3, 0.4]);
+    second.end();
+    expect(opened().workbench.picked?.tau).toEqual([0.3, 0.4]);
+  });
   it("that are open together do not write over each other", () => {
     const one = opened();
     move(one, 21);

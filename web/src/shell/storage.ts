@@ -167,11 +167,16 @@ export function keep_work(
     workbench.say("state.other_tab");
   };
   const hidden = () => document.visibilityState === "hidden" && leave();
-  workbench.on_commit(() => {
+  const keep_soon = () => {
     changed = true;
-    at = Date.now();
     clearTimeout(timer);
     timer = setTimeout(keep, rest_ms);
+  };
+  // Not the user's change: his work is as old as it was, and none where there was none.
+  workbench.on_amend(() => at > 0 && keep_soon());
+  workbench.on_commit(() => {
+    at = Date.now();
+    keep_soon();
   });
   addEventListener("pagehide", leave);
   addEventListener("storage", heard);

@@ -23,6 +23,7 @@ export abstract class Editing {
   private good_text = ""; // what the engine read of it
   private refused: Problem | null = null;
   private readonly listeners: (() => void)[] = [];
+  private readonly amended: (() => unknown)[] = [];
 
   /** Begins with a problem, or where a visit before left off. */
   constructor(start: Problem | Steps, now: () => number = () => performance.now()) {
@@ -58,6 +59,10 @@ export abstract class Editing {
   /** Told after every committed change. */
   on_commit(listener: () => void): void {
     this.listeners.push(listener);
+  }
+  /** Hears of what is added to the last step. */
+  on_amend(listener: () => unknown): void {
+    this.amended.push(listener);
   }
 
   // ---- steps --------------------------------------------------------------------------------------------------
@@ -165,8 +170,10 @@ export abstract class Editing {
   amend(change: Partial<Document>): void {
     const before = this.document;
     this.document = {...before, ...change};
-    if (!this.gesture && this.history.present === before) this.history.amend(this.document);
     this.keep_good();
+    if (this.gesture || this.history.present !== before) return;
+    this.history.amend(this.document);
+    for (const listener of this.amended) listener();
   }
   /** Pins, pick and view are no matter of the engine's: they stay when it refuses the task. */
   private keep_good(): void {
