@@ -1,6 +1,6 @@
 // The page on a phone (walk-through 22).
 import type {Page} from "@playwright/test";
-import {tau_at} from "../src/state/axis";
+import {tau_at} from "../src/engine/axis";
 import {
   expect,
   expect_accessible,

@@ -2,7 +2,7 @@
 import type {Page} from "@playwright/test";
 import type {Linkage, TauPair} from "../src/engine/protocol";
 import {planar_types} from "../src/tasks/planar";
-import {place_of} from "../src/state/axis";
+import {place_of} from "../src/engine/axis";
 import {
   example,
   expect,

@@ -5,6 +5,7 @@ import {tmpdir} from "node:os";
 import {join} from "node:path";
 import {fileURLToPath} from "node:url";
 import {beforeAll, describe, expect, test} from "vitest";
+import {tau_of_places} from "../src/engine/axis";
 import {load_module} from "../src/engine/node";
 import {
   linkage_types,
@@ -14,6 +15,7 @@ import {
   type Linkage,
   type MapAnswer,
   type Mistake,
+  type Picked,
   type Property,
   type ReplyMessage,
   type Replies,
@@ -433,6 +435,24 @@ describe("the tailgate", () => {
       order: other.task.axes.input.order,
     });
     expect(forced.map!.type).toEqual(other.map!.type);
+  });
+  test("brings with a map what is picked there: its place stays, τ follows", () => {
+    const explore = (problem: string, picked: Picked | null, live = false) =>
+      ask("explore", {problem, samples: coarse, window: whole, property: "link_ratio", order: "nearest", picked, live});
+    const [before, after] = [-0.412, -0.373].map((x) => tailgate.replace('{"x": -220', `{"x": ${-220 + x}`)); // the curve splits
+    const {axes} = explore(before!, null).task,
+      place = [0.7, 0.4] as const,
+      tau = tau_of_places(axes, place)!,
+      asked = {problem: before!, tau};
+    const {linkage, live} = explore(before!, {tau, place: null}, true);
+    expect([linkage, live!.input]).toEqual([ask("linkage", asked).linkage, ask("live", asked).input]);
+    const there = explore(after!, {tau, place}),
+      moved = tau_of_places(there.task.axes, place)!;
+    expect(moved).not.toEqual(tau);
+    expect(there.linkage).toEqual(ask("linkage", {problem: after!, tau: moved}).linkage);
+    expect(there.live).toBeNull();
+    expect(explore(after!, {tau: [9, 9], place: null}).linkage).toBeNull(); // none of its axes
+    expect(explore(after!, null).linkage).toBeNull();
   });
   test("says where its third position may go", () => {
     const {counts, offsets, steps} = ask("halo", {

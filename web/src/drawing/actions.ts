@@ -1,6 +1,6 @@
 // What a click or a key does to the thing under it.
 import type {Point} from "../engine/protocol";
-import {coordinate_of, with_side} from "../state/axis";
+import {coordinate_of, with_side} from "../engine/axis";
 import {body_point, outline_of, placed, round_step, with_view} from "../state/problem";
 import {poses_of, type Pose} from "../state/task";
 import {bend_of, travel_of, with_bend, with_travel} from "../task/travel";

@@ -120,6 +120,12 @@ export interface Axis {
 }
 export type Side = "input" | "output";
 export type Axes = Record<Side, Axis>;
+/** A linkage of the map. */
+export interface Picked {
+  tau: TauPair;
+  /** Where it stands on the map. It stays there while the task changes; τ follows. Null until the axis is known. */
+  place: TauPair | null;
+}
 
 /** Marks along the axes and on the curves. */
 export interface Special {
@@ -298,6 +304,8 @@ export interface Linkage {
   tolerance?: ToleranceFigures | null; // by few samples; with tolerances only, null at a dead point
   drive: Drive | null; // null: a slider or zero link
 }
+/** Bits failed along the curve samples of each side when one grounded link is held and the other slides. */
+export type Live = Record<Side, Uint16Array>;
 
 // ---- one instant ----------------------------------------------------------------------------------------------
 
@@ -405,11 +413,18 @@ export interface MachinePlan {
 /** Requests by kind. Every request carries the problem (the file's text); a worker keeps the last and reads it again
  *  only when the text differs. */
 export interface Requests {
-  /** Task, map and census at once: what follows a drag. `order`: "nearest" to the last frame's, "fresh" (the
-   *  canonical one), or the code of a display order. */
-  explore: {problem: string; samples: number; window: Window; property: Property; order: "nearest" | "fresh" | number};
+  /** Task, map and census at once, and what is picked, settled on the map's axes: what follows a drag. `order`: "nearest"
+   *  to the last frame's, "fresh" (the canonical one), or the code of a display order. */
+  explore: {
+    problem: string;
+    samples: number;
+    window: Window;
+    property: Property;
+    order: "nearest" | "fresh" | number;
+    picked?: Picked | null;
+    live?: boolean; // its live part, too
+  };
   linkage: {problem: string; tau: TauPair};
-  /** Bits failed along the curve samples of each side when one grounded link is held and the other slides. */
   live: {problem: string; tau: TauPair};
   /** Cells that pass (of samples², fewer where cells take long) with a part of the task moved by a grid of offsets up to
    *  ± reach (user's unit) or turned up to ± reach_deg. Parts are the poses, from 0; of six-bars, after them, the chain's
@@ -448,9 +463,15 @@ export interface Ranked extends Partial<Record<Property, number | null>> {
   pivots: Pivot[];
 }
 export interface Replies {
-  explore: {task: TaskAnswer; map: MapAnswer | null; engine_ms: number};
+  explore: {
+    task: TaskAnswer;
+    map: MapAnswer | null;
+    engine_ms: number; // of these two
+    linkage: Linkage | null;
+    live: Replies["live"] | null;
+  };
   linkage: {linkage: Linkage; engine_ms: number};
-  live: Record<Side, Uint16Array>; // by the index of that side's curve samples: that grounded link there, the other held
+  live: Live & {engine_ms: number};
   halo: {offsets: Float64Array; counts: Uint32Array; steps: number; reach: number; engine_ms: number}; // counts: row-major [dy][dx] (steps²) or [turn] (steps)
   best: {linkages: Ranked[]; notices: Notice[]};
   search: Replies["best"];

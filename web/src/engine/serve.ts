@@ -1,4 +1,5 @@
 // Answers requests from an engine session: the worker without the worker.
+import {settled} from "./axis";
 import {linkage_of, ranked_of, type LinkageReply, type RankedReply} from "./adapter";
 import type {LinkwrightModule, MapArrays, Session} from "./module";
 import {Refusal} from "./refusal";
@@ -6,6 +7,7 @@ import type {
   Census,
   DyadPolygon,
   Kind,
+  Linkage,
   MachinePlan,
   MapAnswer,
   Mistake,
@@ -16,6 +18,7 @@ import type {
   RequestMessage,
   Requests,
   TaskAnswer,
+  TauPair,
   Tidings,
   ToleranceAnswer,
   ToleranceFigures,
@@ -100,25 +103,33 @@ export class Engine {
     return this.session;
   }
 
-  private explore({problem, samples, window, property, order}: Requests["explore"]): Replies["explore"] {
+  private explore({problem, samples, window, property, order, ...hand}: Requests["explore"]): Replies["explore"] {
     const start = now();
     const code = order === "nearest" ? nearest_order : order === "fresh" ? 0 : order;
     const found = this.holding(problem).explore(samples, ...window.input, ...window.output, property, code);
     const task = JSON.parse(found.task) as TaskAnswer;
     Object.assign(task.curves, copied_curves(found.curves));
     task.output_curves = found.output_curves && copied_curves(found.output_curves);
-    const map = found.map && copied_map(found.map, {samples, window, property});
-    return {task, map, engine_ms: now() - start};
+    const map = found.map && copied_map(found.map, {samples, window, property}),
+      engine_ms = now() - start;
+    const tau = map && hand.picked ? settled(task.axes, hand.picked)?.tau : undefined,
+      linkage = tau ? this.linkage_at(problem, tau) : null;
+    return {task, map, engine_ms, linkage, live: tau && linkage && hand.live ? this.live({problem, tau}) : null};
   }
 
   private linkage({problem, tau}: Requests["linkage"]): Replies["linkage"] {
-    const start = now();
+    const start = now(),
+      linkage = this.linkage_at(problem, tau);
+    if (!linkage) throw new Refusal([no_dyads]);
+    return {linkage, engine_ms: now() - start};
+  }
+  private linkage_at(problem: string, tau: TauPair): Linkage | null {
     const found = this.holding(problem).linkage(...tau);
-    if (!found.linkage) throw new Refusal([no_dyads]);
+    if (!found.linkage) return null;
     const linkage = linkage_of(JSON.parse(found.linkage) as LinkageReply),
       drive = linkage.drive && {...linkage.drive, states: copied(found.states)};
     const tolerance = found.tolerance ? (JSON.parse(found.tolerance) as ToleranceFigures) : null;
-    return {linkage: {...linkage, drive, tolerance}, engine_ms: now() - start};
+    return {...linkage, drive, tolerance};
   }
 
   private best(problem: string, most: number): Replies["best"] {
@@ -136,8 +147,9 @@ export class Engine {
   }
 
   private live({problem, tau}: Requests["live"]): Replies["live"] {
-    const found = this.holding(problem).live(...tau);
-    return {input: copied(found.input), output: copied(found.output)};
+    const start = now(),
+      {input, output} = this.holding(problem).live(...tau);
+    return {input: copied(input), output: copied(output), engine_ms: now() - start};
   }
 
   private halo({problem, part, mode, reach, steps, samples}: Requests["halo"]): Replies["halo"] {

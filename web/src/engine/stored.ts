@@ -5,10 +5,10 @@ import {
   state_width,
   whole,
   type Linkage,
+  type Live,
   type LinkageType,
   type MapAnswer,
   type Point,
-  type Replies,
   type TaskAnswer,
   type TauPair,
 } from "./protocol";
@@ -58,7 +58,7 @@ export interface StoredView {
   /** Without ridges (all 0). */
   map: MapAnswer;
   linkage: Linkage;
-  live: Replies["live"] | null;
+  live: Live | null;
 }
 /** Of the file of this name as it is; its map has no values of a property (all 0). */
 export interface StoredStart extends StoredView {

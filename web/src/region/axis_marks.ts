@@ -1,6 +1,6 @@
 // What stands along a map axis: names of its blocks, numbers, ∞ marks, poles, nodes, in pixels.
 import type {Axis, AxisQuantity, Branch, Side, Special} from "../engine/protocol";
-import {place_of} from "../state/axis";
+import {place_of} from "../engine/axis";
 import {significant} from "../texts/numbers";
 import type {TermName} from "../terms/pictures";
 import {t, type TextKey} from "../texts/texts.svelte";

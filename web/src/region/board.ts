@@ -10,7 +10,7 @@ import {
   type TaskAnswer,
   type TauPair,
 } from "../engine/protocol";
-import {is_discrete} from "../state/axis";
+import {is_discrete} from "../engine/axis";
 
 export interface BoardCell {
   row: number;

@@ -1,7 +1,6 @@
 // What the pointer does on the map: mouse and pen hover, pick, box and pan; fingers hover with the crosshair above them,
 // pick on lifting, and zoom by two.
-import {whole, type Point} from "../engine/protocol";
-import type {Picked} from "../state/document";
+import {whole, type Picked, type Point} from "../engine/protocol";
 import type {RegionView} from "./view.svelte";
 import {boxed, panned, zoomed} from "./zoom";
 

@@ -2,7 +2,7 @@
 // the region, picked and hovered is the workbench's.
 import {degenerate} from "../engine/protocol";
 import type {Axis, Point, Side, TauPair} from "../engine/protocol";
-import {held_place, is_ribbon, place_of, places_of, stepped_place, tau_of_places} from "../state/axis";
+import {held_place, is_ribbon, place_of, places_of, stepped_place, tau_of_places} from "../engine/axis";
 import type {Pin} from "../state/problem";
 import type {Workbench} from "../state/workbench.svelte";
 import {point_of, type Frame} from "./painter";

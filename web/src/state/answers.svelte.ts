@@ -1,7 +1,7 @@
 // What the engine has answered, each answer with the problem that it answers. Nothing is shown of a task that has no
 // linkage; what belongs to an earlier problem than the one in force is outdated once it has been so for a moment.
 import {gives_linkage, kind_of} from "../tasks/kinds";
-import type {Census, Linkage, MapAnswer, Replies, TaskAnswer, TauPair} from "../engine/protocol";
+import type {Census, Linkage, Live, MapAnswer, Replies, TaskAnswer, TauPair} from "../engine/protocol";
 import {same_tau} from "./document";
 import {same_question, type Problem} from "./problem";
 
@@ -48,7 +48,7 @@ export class Answers {
   private counted = $state.raw<Answer<Census> | null>(null);
   private held = $state.raw<Answer<Linkage> | null>(null);
   private picked = $state.raw<Answer<Linkage> | null>(null);
-  private along = $state.raw<Replies["live"] | null>(null);
+  private along = $state.raw<Live | null>(null);
   private driven = $state.raw<Answer<Verdict & {tau: TauPair}> | null>(null);
 
   halo = $state.raw<Halo | null>(null);
@@ -94,7 +94,7 @@ export class Answers {
     const fits = linkage && this.has_linkages && kind_of(linkage.of.task) === kind_of(this.asked().problem.task);
     return fits ? linkage.is : null;
   }
-  get live(): Replies["live"] | null {
+  get live(): Live | null {
     return this.hand ? this.along : null;
   }
   /** What driving has found of the very linkage in hand through the very task in force; null: not known. */
@@ -118,6 +118,10 @@ export class Answers {
   }
   get hand_outdated(): boolean {
     return this.hand_wait.over && this.hand !== null;
+  }
+  /** Whether the linkage in hand is this one of the problem. */
+  hand_is(tau: TauPair | null, problem: Problem): boolean {
+    return this.held !== null && same_tau(this.held.is.tau, tau) && same_question(this.held.of, problem);
   }
   /** Whether the picked linkage is that of the problem: it may still be of the one before. */
   picked_is_of(problem: Problem): boolean {
@@ -155,7 +159,7 @@ export class Answers {
   take_picked(linkage: Linkage, of: Problem): void {
     this.picked = {is: linkage, of};
   }
-  take_live(live: Replies["live"] | null): void {
+  take_live(live: Live | null): void {
     this.along = live;
   }
   take_verdict(verdict: Verdict, tau: TauPair, of: Problem): void {

@@ -1,10 +1,10 @@
 // Puts better linkages in hand: the best of all, the best of the next type, the best nearby.
 import type {EngineClient} from "../engine/client";
 import {degenerate} from "../engine/protocol";
-import type {Linkage, MapAnswer, TauPair} from "../engine/protocol";
+import type {Linkage, MapAnswer, Picked, TauPair} from "../engine/protocol";
 import type {TextKey, Values} from "../texts/texts.svelte";
 import type {Answers} from "./answers.svelte";
-import {same_tau, type Picked} from "./document";
+import {same_tau} from "./document";
 import {engine_text, type Problem} from "./problem";
 import type {Toast} from "./toasts";
 

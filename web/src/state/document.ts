@@ -1,15 +1,10 @@
 // What undo restores, as a value, and what can be asked of it without the engine.
-import type {Axes, TauPair} from "../engine/protocol";
-import {places_of, tau_of_places} from "./axis";
+import {places_of, settled} from "../engine/axis";
+import type {Axes, Picked, TauPair} from "../engine/protocol";
 import {map_of} from "../tasks/kinds";
 import {with_view, type Pin, type Problem} from "./problem";
 import {same_value} from "./task";
 
-export interface Picked {
-  tau: TauPair;
-  /** Where it stands on the map. It stays there while the task changes; τ follows. Null until the axis is known. */
-  place: TauPair | null;
-}
 /** Immutable. */
 export interface Document {
   problem: Problem; // its view.picked and view.pins are written on saving and sharing; here they live in `picked`, `pins`
@@ -63,17 +58,6 @@ export function settled_on(axes: Axes, document: Document): Document {
   const same = picked === document.picked && pins === document.pins && order === document.order;
   return same ? document : {...document, picked, pins, order};
 }
-/** Nothing where τ is none of these axes: the engine would take it for another. */
-function settled(axes: Axes, picked: Picked): Picked | null {
-  const place = picked.place ?? places_of(axes, picked.tau);
-  if (!place) return null;
-  const tau = picked.place ? kept_tau(picked.tau, tau_of_places(axes, picked.place) ?? picked.tau) : picked.tau;
-  return tau === picked.tau && place === picked.place ? picked : {tau, place};
-}
 function marked(axes: Axes, pin: Pin): Pin {
   return pin.place ? pin : {...pin, place: places_of(axes, pin.tau) ?? undefined};
-}
-/** τ as it was where its place has not moved it: undo restores a linkage to the last bit. */
-function kept_tau(before: TauPair, now: TauPair): TauPair {
-  return Math.hypot(before[0] - now[0], before[1] - now[1]) < 1e-9 ? before : now;
 }

@@ -1,9 +1,9 @@
 // Keeps the linkage in hand and the picked one up to the document and the pointer.
 import {Crashed, Refusal, type EngineClient} from "../engine/client";
-import type {Linkage, Mistake, TauPair} from "../engine/protocol";
+import type {Linkage, Mistake, Picked, Replies, TauPair} from "../engine/protocol";
 import type {Answers} from "./answers.svelte";
 import {gives_linkage} from "../tasks/kinds";
-import {same_tau, type Document, type Picked} from "./document";
+import {same_tau, type Document} from "./document";
 import {engine_text, same_question, type Problem} from "./problem";
 
 interface Followed {
@@ -27,7 +27,8 @@ const slow_ms = 100;
 
 export class LinkageFollower {
   private verified_for = "";
-  private live_ms = 0; // what the last live part took
+  private live_ms = 0; // what the last live part took the engine
+  private turn = 0; // of what was asked, or has come with a map: what an earlier one brings is of before
 
   /** `weigh` hears of the picked linkage of the problem in force. */
   constructor(
@@ -51,21 +52,37 @@ export class LinkageFollower {
     answers.asked_anew();
     if (answers.task?.status === "solved" || gives_linkage(of.task)) void this.fetch_hand(of);
   }
+  /** What a map on its way is to bring of it: where the map on screen is of the task, it is asked for without one. */
+  get wanted(): {picked: Picked | null; live: boolean} {
+    const {answers, hovered, picked} = this.followed,
+      wanted = hovered ? {tau: hovered, place: null} : picked;
+    return {picked: answers.map_is_of_present ? null : wanted, live: this.wants_live};
+  }
+  /** What a map has brought; what has come in hand meanwhile is still to be fetched. */
+  take({linkage, live}: Replies["explore"], of: Problem): void {
+    const {answers, tau_in_hand} = this.followed;
+    if (linkage && same_tau(linkage.tau, tau_in_hand)) {
+      ++this.turn;
+      this.take_live(live);
+      this.take_hand(linkage, of);
+    } else if (!answers.hand_is(tau_in_hand, of)) this.follow(of);
+  }
   private async fetch_hand(problem = this.followed.problem): Promise<void> {
     const {followed} = this,
       {tau_in_hand: tau, document, answers, driver_client} = followed,
-      is_given = gives_linkage(problem.task);
+      is_given = gives_linkage(problem.task),
+      turn = ++this.turn;
     if (!tau || !driver_client) return answers.take_hand(null, problem);
     try {
       const {linkage} = await driver_client.follow("linkage", {problem: engine_text(problem), tau});
-      if (followed.incomplete || !same_tau(followed.tau_in_hand, tau)) return;
-      answers.take_hand(linkage, problem);
+      if (followed.incomplete || this.turn !== turn || !same_tau(followed.tau_in_hand, tau)) return;
       if (is_given) {
+        answers.take_hand(linkage, problem);
         answers.take_picked(linkage, problem);
         return followed.accept(document);
       }
       void this.fetch_live(problem);
-      if (same_tau(tau, followed.picked?.tau)) this.take_picked(linkage, problem);
+      this.take_hand(linkage, problem);
     } catch (error) {
       if (error instanceof Crashed) setTimeout(() => this.follow(), 50);
       else if (error instanceof Refusal && is_given) {
@@ -79,13 +96,24 @@ export class LinkageFollower {
     }
   }
   private async fetch_live(problem = this.followed.problem): Promise<void> {
-    const {tau_in_hand: tau, hovered, gesture, answers, driver_client} = this.followed;
+    const {tau_in_hand: tau, driver_client} = this.followed,
+      {turn} = this;
     if (!tau || !driver_client) return;
-    if (this.live_ms > slow_ms && (hovered || gesture)) return answers.take_live(null); // the next linkage would wait for it
-    const start = performance.now(),
-      reply = await driver_client.follow("live", {problem: engine_text(problem), tau}).catch(() => null);
-    this.live_ms = performance.now() - start;
-    if (reply) answers.take_live(reply);
+    if (!this.wants_live) return this.take_live(null);
+    const reply = await driver_client.follow("live", {problem: engine_text(problem), tau}).catch(() => null);
+    if (reply && this.turn === turn) this.take_live(reply);
+  }
+  /** What comes next would wait for it. */
+  private get wants_live(): boolean {
+    return this.live_ms <= slow_ms || !(this.followed.hovered || this.followed.gesture);
+  }
+  private take_live(live: Replies["live"] | null): void {
+    if (live) this.live_ms = live.engine_ms;
+    this.followed.answers.take_live(live);
+  }
+  private take_hand(linkage: Linkage, problem: Problem): void {
+    this.followed.answers.take_hand(linkage, problem);
+    if (same_tau(linkage.tau, this.followed.picked?.tau)) this.take_picked(linkage, problem);
   }
   private take_picked(linkage: Linkage, problem: Problem): void {
     const {followed} = this;

@@ -1,7 +1,15 @@
 // Keeps curves, map and counts up to the document. Follows every change at once, coarser where that takes too long, and
 // looks closer at rest.
 import {Crashed, Refusal, Superseded, type EngineClient} from "../engine/client";
-import {whole, type Axes, type Mistake, type Property, type Replies, type Window} from "../engine/protocol";
+import {
+  whole,
+  type Axes,
+  type Mistake,
+  type Property,
+  type Replies,
+  type Requests,
+  type Window,
+} from "../engine/protocol";
 import type {Answers} from "./answers.svelte";
 import {settled_on, type Document} from "./document";
 import {engine_text, same_question, type Problem} from "./problem";
@@ -23,12 +31,13 @@ interface Mapped {
   refuse(problem: Problem, mistakes: Mistake[]): boolean;
   amend(change: Partial<Document>): void;
 }
-/** What goes on from a map. */
-interface Next {
-  /** The linkage in hand is to be asked for anew, of the task that a map shows now. */
-  follow(of?: Problem): void;
-  /** Nothing is in hand yet. */
-  start(): void;
+/** What comes with a map, and goes on from it. */
+interface Hand {
+  /** What it is to bring of the linkage in hand, and what it has brought, of the task that it shows. */
+  readonly wanted: Pick<Requests["explore"], "picked" | "live">;
+  take(reply: Replies["explore"], of: Problem): void;
+  /** The last good task is in force again. */
+  follow(): void;
 }
 
 const even_samples = 400,
@@ -58,7 +67,9 @@ export class MapFollower {
 
   constructor(
     private readonly mapped: Mapped,
-    private readonly next: Next,
+    private readonly hand: Hand,
+    /** Nothing is in hand yet. */
+    private readonly start: () => void,
   ) {
     this.yields = new YieldSampler(
       () => mapped.engine,
@@ -103,7 +114,7 @@ export class MapFollower {
     const {forgotten} = this;
     try {
       const order = gesture ? "nearest" : (document.order ?? "fresh");
-      const reply = await engine.follow("explore", {problem, samples, window, property, order});
+      const reply = await engine.follow("explore", {problem, samples, window, property, order, ...this.hand.wanted});
       this.calm();
       if (samples === even_samples) this.weigh(reply.engine_ms);
       if (this.forgotten !== forgotten) return; // a task that cannot be asked has stood between: this is of before
@@ -136,19 +147,19 @@ export class MapFollower {
       answers.take_census(reply.map.census, document.problem);
     if (!gesture && !same_question(mapped.problem, document.problem)) return; // another map is on its way
     this.settle(reply.task.axes);
-    this.next.follow(document.problem);
+    this.hand.take(reply, document.problem);
   }
   private settle(axes: Axes): void {
     const {document} = this.mapped;
     const settled = settled_on(axes, document);
     if (settled !== document) this.mapped.amend(settled);
-    if (!settled.picked && axes.input.blocks.length > 0) this.next.start();
+    if (!settled.picked && axes.input.blocks.length > 0) this.start();
   }
   private not_explored(error: unknown, document: Document, asked: string): void {
     if (this.asked === asked) this.forget();
     if (error instanceof Crashed) return; // the workbench asks again
     if (!(error instanceof Refusal)) throw error;
-    if (this.mapped.refuse(document.problem, error.mistakes)) this.next.follow();
+    if (this.mapped.refuse(document.problem, error.mistakes)) this.hand.follow();
   }
 
   // ---- at rest ------------------------------------------------------------------------------------------------

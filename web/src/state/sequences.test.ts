@@ -3,7 +3,7 @@
 import fc from "fast-check";
 import {afterAll, beforeAll, describe, expect, it, vi} from "vitest";
 import {patience_ms, type EngineClient} from "../engine/client";
-import type {Axis, Kind, RequestMessage, TauPair} from "../engine/protocol";
+import type {Axis, Kind, RequestMessage, Requests, TauPair} from "../engine/protocol";
 import {keep_work, own_slot, read_work, type Store} from "../shell/storage";
 import {new_problem} from "../tasks/motion/kind";
 import {function_kind} from "../tasks/function/kind";
@@ -46,10 +46,12 @@ const linkage = (tau: unknown) => ({
   min_transmission_angle_deg: 40,
 });
 const replies: Partial<Record<Kind, (request: never) => object>> = {
-  explore: ({samples, window, property}: {samples: number; window: object; property: string}) => ({
+  explore: ({samples, window, property, picked}: Requests["explore"]) => ({
     task: {status: "solved", axes: {input: axis, output: axis}},
     engine_ms: 1,
     map: {samples, window, property, type: {length: 100}, census: {meeting: 1}},
+    linkage: picked ? linkage(picked.place ?? picked.tau) : null, // τ and places are the same on this axis
+    live: null,
   }),
   linkage: ({tau}: {tau: unknown}) => ({linkage: linkage(tau), engine_ms: 1}),
   best: () => ({linkages: [{tau: [0.5, 0.5], type: "crank_rocker"}]}),

@@ -7,7 +7,9 @@ import {
   type Census,
   type InstantReport,
   type Linkage,
+  type Live,
   type MapAnswer,
+  type Picked,
   type Point,
   type Property,
   type Replies,
@@ -33,8 +35,8 @@ import type {TextKey, Values} from "../texts/texts.svelte";
 import {Answers, type Halo} from "./answers.svelte";
 import {BestList} from "./best_list.svelte";
 import {BestSeeker} from "./best_seeker";
-import {held_tau, held_window, places_of} from "./axis";
-import {from_problem, to_problem, type Picked} from "./document";
+import {held_tau, held_window, places_of} from "../engine/axis";
+import {from_problem, to_problem} from "./document";
 import {angle_at_stage, stage_at_angle} from "./drive";
 import {Editing} from "./editing.svelte";
 import {FrontStudy} from "./front_study.svelte";
@@ -114,12 +116,9 @@ export class Workbench extends Editing {
   slot = ""; // where it does (shell/storage)
   kept_since: number | null = null; // when a visit before left it there; null: it did not
 
-  readonly maps = new MapFollower(this, {
-    follow: (of) => this.linkages.follow(of),
-    start: () => this.seeker.start(),
-  });
-  readonly linkages = new LinkageFollower(this, (linkage) => this.seeker.weigh(linkage));
   readonly seeker = new BestSeeker(this);
+  readonly linkages = new LinkageFollower(this, (linkage) => this.seeker.weigh(linkage));
+  readonly maps = new MapFollower(this, this.linkages, () => this.seeker.start());
   readonly halos = new HaloFollower(this);
   readonly way_out = new WayOutSeeker(this, with_pose_moved);
   readonly best_list = new BestList(this);
@@ -157,7 +156,7 @@ export class Workbench extends Editing {
   get picked_linkage(): Linkage | null {
     return this.answers.picked_linkage;
   }
-  get live(): Replies["live"] | null {
+  get live(): Live | null {
     return this.answers.live;
   }
   get verified(): Replies["verify"] | null {
@@ -235,12 +234,7 @@ export class Workbench extends Editing {
     this.engine?.kill();
   }
   /** What the page shows before the engine has answered: a stored answer for the document in force. */
-  show_stored(
-    task: TaskAnswer,
-    map: MapAnswer | null,
-    linkage: Linkage | null,
-    live: Replies["live"] | null = null,
-  ): void {
+  show_stored(task: TaskAnswer, map: MapAnswer | null, linkage: Linkage | null, live: Live | null = null): void {
     this.answers.take_map(task, map, this.problem);
     if (map) this.answers.take_census(map.census, this.problem);
     if (linkage && !this.picked) this.amend({picked: {tau: linkage.tau, place: this.place_of(linkage.tau)}});
@@ -264,7 +258,7 @@ export class Workbench extends Editing {
       this.answers.asked_anew();
       if (gives_linkage(this.problem.task)) return this.take_given();
       this.maps.refresh();
-      if (this.answers.map_is_of_present) this.linkages.follow(); // else the map's answer says what is in hand
+      if (this.answers.map_is_of_present) this.linkages.follow(); // else the map brings it
     }
   }
   /** The task is the linkage in hand. */

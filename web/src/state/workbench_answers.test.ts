@@ -90,9 +90,10 @@ describe("the answers on the workbench", () => {
     expect(pin!.lengths).not.toEqual(before.lengths);
   });
 
-  it("asks for the linkage once to a frame of a drag, where the new map has it, and never for the one before", async () => {
+  it("asks once to a frame of a drag: map, linkage where that map has it, and its live part come together", async () => {
     const b = bench(tailgate),
-      {workbench, asked, machine} = b;
+      {workbench, asked, machine} = b,
+      {answers} = workbench;
     machine.map_ms = 5; // no coarse map comes before the even one
     await settled(b);
     const at_rest = engine_text(workbench.problem); // its fine map may still ask for its linkage
@@ -100,17 +101,38 @@ describe("the answers on the workbench", () => {
     for (const x of [-219, -224, -230]) {
       const before = asked.length;
       workbench.drag((problem) => with_pose(problem, 2, {x}));
-      const text = engine_text(workbench.problem);
-      await until(() => workbench.is_current && workbench.answers.hand_is_of_present);
-      const linkages = asked
-        .slice(before)
-        .filter((message) => message.kind === "linkage" && message.problem !== at_rest);
-      expect(linkages).toHaveLength(1);
-      expect(linkages[0]).toMatchObject({problem: text, tau: workbench.picked!.tau});
+      const text = engine_text(workbench.problem),
+        {live} = workbench;
+      await until(() => {
+        expect(answers.hand_is_of_present).toBe(answers.map_is_of_present); // never one of them alone
+        return answers.map_is_of_present;
+      });
       expect(workbench.hand!.tau).toEqual(workbench.picked!.tau);
+      expect(workbench.live).not.toBe(live);
+      await new Promise((resolve) => setTimeout(resolve, 100)); // nothing comes after
+      const frame = asked.slice(before).filter((message) => !("problem" in message) || message.problem !== at_rest);
+      expect(frame.map(({kind}) => kind)).toEqual(["explore"]);
+      expect(frame[0]).toMatchObject({problem: text, samples: 400, live: true});
+      const {linkage} = await workbench.driver_client!.follow("linkage", {problem: text, tau: workbench.picked!.tau});
+      expect(workbench.hand).toEqual(linkage);
     }
     workbench.end_gesture();
     await settled(b);
+  });
+
+  it("keeps the linkage that a map has brought where one that was asked for before comes after", async () => {
+    const b = bench(tailgate),
+      {workbench, machine} = b;
+    await settled(b);
+    machine.linkage_ms = 400;
+    workbench.pick([1.3125, 1.1125]);
+    await until(() => b.asked.at(-1)!.kind === "linkage");
+    workbench.edit((problem) => with_requirements(problem, {max_length: 1})); // τ stays as it is
+    await until(() => workbench.answers.hand_is_of_present);
+    const {fails} = workbench.hand!;
+    await new Promise((resolve) => setTimeout(resolve, 600));
+    expect(workbench.answers.hand_is_of_present).toBe(true);
+    expect([workbench.hand!.tau, workbench.hand!.fails]).toEqual([[1.3125, 1.1125], fails]);
   });
 
   it("has no linkage of another kind in hand, which would be put together otherwise", async () => {

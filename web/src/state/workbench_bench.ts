@@ -13,8 +13,9 @@ let servers: (() => Engine)[];
 /** What the engine says a map took; null: the truth. */
 interface Machine {
   map_ms: number | null;
-  /** How much later the best linkages come. */
+  /** How much later the best linkages come, and those that are asked for alone. */
   best_ms: number;
+  linkage_ms: number;
   /** It does not answer. */
   mute: boolean;
 }
@@ -40,12 +41,15 @@ class Thread {
         if (!this.dead) this.say(this.slowed(this.server.serve(message).message));
         awaited.delete(message);
       },
-      message.kind === "best" ? this.machine.best_ms : 0,
+      message.kind === "best" ? this.machine.best_ms : message.kind === "linkage" ? this.machine.linkage_ms : 0,
     );
   }
   private slowed(reply: ReplyMessage): ReplyMessage {
-    const answer = (reply as {reply?: {engine_ms?: number}}).reply;
-    if (answer?.engine_ms !== undefined && this.machine.map_ms !== null) answer.engine_ms = this.machine.map_ms;
+    type Timed = {engine_ms?: number; live?: Timed | null};
+    const answer = (reply as {reply?: Timed}).reply,
+      {map_ms} = this.machine;
+    for (const part of [answer, answer?.live])
+      if (part?.engine_ms !== undefined && map_ms !== null) part.engine_ms = map_ms;
     return reply;
   }
   terminate(): void {
@@ -77,7 +81,7 @@ export interface Bench {
 export function bench(problem: Problem, cores = 2): Bench {
   const now = {time: 0},
     asked: RequestMessage[] = [],
-    machine: Machine = {map_ms: null, best_ms: 0, mute: false};
+    machine: Machine = {map_ms: null, best_ms: 0, linkage_ms: 0, mute: false};
   const workbench = new Workbench(problem, () => now.time);
   open.push(workbench);
   let started = 0;

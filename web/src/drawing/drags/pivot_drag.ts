@@ -1,6 +1,6 @@
 // A pivot of the picked linkage slides along its curve; the engine's answer puts it exactly there.
 import type {Point} from "../../engine/protocol";
-import {coordinate_of, with_side} from "../../state/axis";
+import {coordinate_of, with_side} from "../../engine/axis";
 import {body_point, placed} from "../../state/problem";
 import type {Spot} from "../curve_samples";
 import {spot_of_tau} from "../curve_samples";

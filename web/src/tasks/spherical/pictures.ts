@@ -1,5 +1,5 @@
 // What stands on the stage of a spherical task, part by part: each is made anew only when what it shows has changed.
-import type {Linkage, Replies, Side, TaskAnswer} from "../../engine/protocol";
+import type {Linkage, Live, Side, TaskAnswer} from "../../engine/protocol";
 import {task_rows} from "../../figure/mechanism";
 import {row_count} from "../../state/drive";
 import type {Pin} from "../../state/problem";
@@ -119,7 +119,7 @@ export function single_axes(points: Float64Array, branch: Uint8Array): Vec3[] {
   );
 }
 /** Where one side can go with the other held, everything still met. */
-export function live_picture({curves}: TaskAnswer, live: Replies["live"]): Item[] {
+export function live_picture({curves}: TaskAnswer, live: Live): Item[] {
   return (["input", "output"] as const).flatMap((side: Side) => {
     const bits = live[side];
     if (bits.length !== curves.branch.length) return [];

@@ -1,5 +1,5 @@
 import {describe, expect, it} from "vitest";
-import {whole, type Axis} from "../engine/protocol";
+import {whole, type Axis} from "./protocol";
 import {
   block_at,
   held_place,

@@ -1,5 +1,4 @@
 // Places on the map's axes and curve coordinates, as the engine's axis tells them.
-import {least_of, most_of} from "./ends";
 import {
   axis_quantities,
   whole,
@@ -7,11 +6,12 @@ import {
   type Axis,
   type AxisBlock,
   type Branch,
+  type Picked,
   type Side,
   type TaskAnswer,
   type TauPair,
   type Window,
-} from "../engine/protocol";
+} from "./protocol";
 
 function interpolated(knots: readonly (readonly [number, number])[], value: number, from: 0 | 1): number {
   const to = from === 0 ? 1 : 0;
@@ -119,9 +119,10 @@ export function place_of(axis: Axis, tau: number): number | null {
     const branch = axis.branches[block.branch];
     if (tau < branch!.from - 1e-12 || tau > branch!.to + 1e-12) continue;
     const length = branch!.to - branch!.from;
-    const ends = [block.knots[0]![1], block.knots[block.knots.length - 1]![1]];
-    const low = least_of(ends),
-      high = most_of(ends);
+    const first = block.knots[0]![1],
+      last = block.knots.at(-1)![1];
+    const low = Math.min(first, last),
+      high = Math.max(first, last);
     for (const turns of [0, 1, -1, 2, -2]) {
       const unwrapped = tau + turns * length;
       if (unwrapped >= low - 1e-12 && unwrapped <= high + 1e-12) {
@@ -136,4 +137,17 @@ export function places_of(axes: Axes, tau: TauPair): TauPair | null {
   const input = place_of(axes.input, tau[0]),
     output = place_of(axes.output, tau[1]);
   return input === null || output === null ? null : [held_place(axes.input, input), held_place(axes.output, output)];
+}
+
+/** On the axes of another answer what is picked keeps its place, and τ follows; without a place it gets that of its τ.
+ *  Nothing where τ is none of these axes: the engine would take it for another. */
+export function settled(axes: Axes, picked: Picked): Picked | null {
+  const place = picked.place ?? places_of(axes, picked.tau);
+  if (!place) return null;
+  const tau = picked.place ? kept_tau(picked.tau, tau_of_places(axes, picked.place) ?? picked.tau) : picked.tau;
+  return tau === picked.tau && place === picked.place ? picked : {tau, place};
+}
+/** τ as it was where its place has not moved it: undo restores a linkage to the last bit. */
+function kept_tau(before: TauPair, now: TauPair): TauPair {
+  return Math.hypot(before[0] - now[0], before[1] - now[1]) < 1e-9 ? before : now;
 }
