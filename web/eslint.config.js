@@ -52,6 +52,7 @@ export default tseslint.config(
   {files: ["firefox/*.mjs", "npm/*.test.mjs"], languageOptions: {globals: {...globals.node, ...globals.browser}}}, // parts run in the page
 
   layer(["src/engine/**"], "^\\.\\./(?!texts/)", "The engine's messages, client and worker know nothing of the page."),
+  layer(["src/questions/**"], "^\\.\\./(?!engine/)", "Questions know of nothing but the engine's client."),
   layer(
     ["src/fields/**"],
     "/(state/(?!task|shape)|tasks|drawing|region|shell/(?!single_keys))",

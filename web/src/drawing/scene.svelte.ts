@@ -1,8 +1,9 @@
 // The drawing's own state: what part it shows, what the pointer is over, what is being drawn. Not part of the task.
 import {getContext, setContext, untrack} from "svelte";
-import type {Box, InstantReport, Linkage, Point, Side} from "../engine/protocol";
+import type {Box, InstantReport, Linkage, Point, Replies, Side} from "../engine/protocol";
 import type {End} from "../figure/figure";
 import {at_angle, at_row, reached_rows, type Carrier, type Configuration} from "../figure/mechanism";
+import {Question} from "../questions/question.svelte";
 import type {Halo} from "../state/answers.svelte";
 import {halo_reach} from "../state/halo_follower";
 import {preferences} from "../state/preferences.svelte";
@@ -28,7 +29,6 @@ import {
   type Target,
 } from "./handles";
 import {anchors_of, kind_of} from "../tasks/kinds";
-import type {Quadrilateral} from "../state/workbench.svelte";
 import {mistake_sentence} from "../task/mistakes";
 import type {TaskView} from "../tasks/view";
 import {near, task_points, useful_pivots} from "./fit";
@@ -39,6 +39,9 @@ import type {Viewport} from "./viewport";
 
 const curve_reach = [8, 20] as const,
   halo_turn_deg = 30;
+
+/** The pivots of a four-bar, as files name them. */
+type Quadrilateral = Readonly<Record<"input_center" | "input_circle" | "output_center" | "output_circle", Point>>;
 
 export class Scene implements Surface {
   view = $state.raw<Viewport>({x: 0, y: 0, scale: 1, width: 0, height: 0});
@@ -64,17 +67,19 @@ export class Scene implements Surface {
   /** Two points of the background picture whose distance is known. */
   marks = $state.raw<readonly Point[]>([]);
   focused = $state<string | null>(null);
-  /** What the instant tells of the linkage as it stands, where that is shown. */
-  instant = $state.raw<InstantReport | null>(null);
 
   /** What the picture behind the drawing lets take hold of, while it is placed. */
   picture_parts: () => Handle[] = () => [];
 
   /** `kind`: what the kind of a task shows and lets take hold of. */
+  private readonly instants: Question<Quadrilateral, Replies["report"]>;
+
   constructor(
     readonly workbench: Workbench,
     private readonly kind: (task: Task) => Pick<TaskView, "mechanism" | "handles">,
-  ) {}
+  ) {
+    this.instants = new Question(workbench.questions, {follows: true}); // a frame of the animation is shorter than an answer may take
+  }
 
   readonly space = $derived.by(() => new Plane(this.view, preferences.snap));
 
@@ -138,6 +143,18 @@ export class Scene implements Surface {
       output_circle: output.circle,
     };
   });
+  /** What the instant tells of the linkage as it stands, where that is shown. */
+  get instant(): InstantReport | null {
+    return (this.instants.value?.report as InstantReport | undefined) ?? null;
+  }
+  follow_instant(pivots: Quadrilateral | null): void {
+    const {driver_client} = this.workbench;
+    if (!pivots) this.instants.forget();
+    else if (driver_client)
+      void this.instants.ask(pivots, () =>
+        driver_client.follow("report", {of: "instant", text: JSON.stringify({pivots})}),
+      );
+  }
   /** What carries an end of a grounded link; nothing on the ground. */
   carrier(side: Side, end: End): Carrier | null {
     const {hand} = this.workbench;

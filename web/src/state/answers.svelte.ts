@@ -12,7 +12,6 @@ interface Answer<T> {
   is: T;
   of: Problem;
 }
-type Verdict = Replies["verify"];
 /** Where a part of the task may go with linkages left. */
 export type Halo = Replies["halo"] & {part: number; mode: "move" | "turn"};
 
@@ -49,7 +48,6 @@ export class Answers {
   private held = $state.raw<Answer<Linkage> | null>(null);
   private picked = $state.raw<Answer<Linkage> | null>(null);
   private along = $state.raw<Live | null>(null);
-  private driven = $state.raw<Answer<Verdict & {tau: TauPair}> | null>(null);
 
   halo = $state.raw<Halo | null>(null);
   /** A better linkage nearby is being looked for. */
@@ -96,13 +94,6 @@ export class Answers {
   }
   get live(): Live | null {
     return this.hand ? this.along : null;
-  }
-  /** What driving has found of the very linkage in hand through the very task in force; null: not known. */
-  get verified(): Verdict | null {
-    const {driven, hand} = this;
-    return driven && hand && same_tau(driven.is.tau, hand.tau) && this.answers(driven) && this.hand_is_of_present
-      ? driven.is
-      : null;
   }
   get map_is_of_present(): boolean {
     return this.explored !== null && this.answers(this.explored);
@@ -162,16 +153,13 @@ export class Answers {
   take_live(live: Live | null): void {
     this.along = live;
   }
-  take_verdict(verdict: Verdict, tau: TauPair, of: Problem): void {
-    this.driven = {is: {...verdict, tau}, of};
-  }
   /** The problem has no map. */
   forget_map(): void {
-    this.explored = this.counted = this.along = this.driven = null;
+    this.explored = this.counted = this.along = null;
   }
   /** The problem is not one that can be asked. */
   forget(): void {
-    this.explored = this.counted = this.held = this.picked = this.along = this.driven = null;
+    this.explored = this.counted = this.held = this.picked = this.along = null;
     this.asked_anew();
   }
 }

@@ -1,10 +1,13 @@
 // The ranked list: the best linkages of the task, by the program's own search and in its order.
 import type {EngineClient} from "../engine/client";
-import type {Notice, Ranked} from "../engine/protocol";
+import type {Replies} from "../engine/protocol";
+import {Question} from "../questions/question.svelte";
+import type {Questions} from "../questions/questions";
 import {map_of} from "../tasks/kinds";
 import {engine_text, type Problem} from "./problem";
 
 interface Listed {
+  readonly questions: Questions;
   readonly engine: EngineClient | null;
   readonly problem: Problem;
   /** Why the engine is not asked, where it is not. */
@@ -13,54 +16,46 @@ interface Listed {
   readonly opened: number;
   readonly moves: number;
 }
-interface Found {
+interface Of {
   text: string;
-  /** Of which task it is, however that is changed. */
+  /** Which task it is, however that is changed. */
   task: string;
-  linkages: Ranked[];
-  notices: Notice[];
 }
 const most = 10; // as `linkwright solve` prints where nothing else is asked
 
 export class BestList {
-  private last = $state.raw<Found | null>(null);
-  private asked = $state.raw<{text: string; stop: AbortController} | null>(null);
+  readonly question: Question<Of, Replies["best"]>;
 
-  constructor(private readonly listed: Listed) {}
-
-  /** The last list of the task on screen, perhaps as it was a moment ago. */
-  get found(): Found | null {
-    return this.last?.task === this.task && !this.listed.incomplete ? this.last : null;
+  constructor(private readonly listed: Listed) {
+    this.question = new Question(listed.questions, {same: (a, b) => a.text === b.text && a.task === b.task});
   }
-  private get task(): string {
+
+  private get of(): Of {
     const {opened, moves, problem} = this.listed;
-    return `${opened} ${moves} ${map_of(problem.task)}`;
+    return {text: engine_text(problem), task: `${opened} ${moves} ${map_of(problem.task)}`};
+  }
+  /** The last list of the task on screen, perhaps as it was a moment ago. */
+  get found(): Replies["best"] | null {
+    const {of, value} = this.question;
+    return of?.task === this.of.task && !this.listed.incomplete ? value : null;
   }
   /** What is listed belongs to the task on screen. */
   get is_current(): boolean {
-    return this.found?.text === engine_text(this.listed.problem);
+    return this.found !== null && this.question.is_of(this.of);
   }
   /** The engine is at it. */
   get busy(): boolean {
-    return this.asked !== null;
+    return this.question.busy;
   }
   /** Stops what is under way for another task: the map of this one would wait for it. */
   let_go(): void {
-    if (!this.asked || this.asked.text === engine_text(this.listed.problem)) return;
-    this.asked.stop.abort();
-    this.asked = null;
+    if (!this.question.is_asked(this.of)) this.question.drop();
   }
   /** Fetches the list of the task as it is, unless it is there or on its way. */
   async fetch(): Promise<void> {
-    const {engine, incomplete, problem} = this.listed,
-      {task} = this,
-      text = engine_text(problem);
-    if (!engine || incomplete || text === this.asked?.text || text === this.found?.text) return;
-    this.let_go();
-    const asked = (this.asked = {text, stop: new AbortController()});
-    const reply = await engine.run({kind: "best", problem: text, most}, {signal: asked.stop.signal}).catch(() => null);
-    if (this.asked !== asked) return;
-    this.asked = null;
-    if (reply) this.last = {text, task, linkages: reply.linkages, notices: reply.notices};
+    const {engine, incomplete} = this.listed,
+      {of} = this;
+    if (!engine || incomplete || this.is_current) return;
+    await this.question.ask(of, (signal) => engine.run({kind: "best", problem: of.text, most}, {signal}));
   }
 }

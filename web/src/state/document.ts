@@ -2,7 +2,7 @@
 import {places_of, settled} from "../engine/axis";
 import type {Axes, Picked, TauPair} from "../engine/protocol";
 import {map_of} from "../tasks/kinds";
-import {with_view, type Pin, type Problem} from "./problem";
+import {same_question, with_view, type Pin, type Problem} from "./problem";
 import {same_value} from "./task";
 
 /** Immutable. */
@@ -42,6 +42,14 @@ export function with_problem(document: Document, problem: Problem): Document {
 
 export function same_tau(a: TauPair | null | undefined, b: TauPair | null | undefined): boolean {
   return a === b || (!!a && !!b && a[0] === b[0] && a[1] === b[1]);
+}
+/** A linkage by the task and its place there. */
+export interface LinkageOf {
+  problem: Problem;
+  tau: TauPair;
+}
+export function same_linkage(a: LinkageOf, b: LinkageOf): boolean {
+  return same_tau(a.tau, b.tau) && same_question(a.problem, b.problem);
 }
 /** Whether going from one to the other is a step. */
 export function differs(a: Document, b: Document): boolean {

@@ -2,10 +2,13 @@
 // the requirements, and those that no other beats in both.
 import type {EngineClient} from "../engine/client";
 import type {MapAnswer, Property, Replies, TaskAnswer, TauPair, Window} from "../engine/protocol";
+import {Question} from "../questions/question.svelte";
+import type {Questions} from "../questions/questions";
 import {engine_text, type Problem} from "./problem";
 import {tolerances_of} from "./tolerances";
 
 interface Studied {
+  readonly questions: Questions;
   readonly engine: EngineClient | null;
   readonly problem: Problem;
   readonly task: TaskAnswer | null;
@@ -34,60 +37,49 @@ const properties = ["min_transmission_angle_deg", "tolerance_error"] as const sa
 const settle_ms = 450; // after the last map, so that it is the finest one
 
 export class FrontStudy {
-  found = $state.raw<Front | null>(null);
-  private asked: {map: MapAnswer; stop: AbortController} | null = null;
-  private timer: ReturnType<typeof setTimeout> | undefined;
+  private readonly question: Question<MapAnswer, Front>;
 
-  constructor(private readonly studied: Studied) {}
+  constructor(private readonly studied: Studied) {
+    this.question = new Question(studied.questions);
+  }
 
+  get found(): Front | null {
+    return this.question.value;
+  }
   get is_current(): boolean {
     return this.found?.text === engine_text(this.studied.problem);
   }
   /** While it is looked at: the map may be another. */
   follow(): void {
-    clearTimeout(this.timer);
-    const {map, problem, gesture, is_current} = this.studied;
-    if (!map || !tolerances_of(problem)) {
-      this.drop();
-      this.found = null;
-    } else if (map !== this.asked?.map && !gesture && is_current)
-      this.timer = setTimeout(() => void this.fetch(map), settle_ms);
+    const {question} = this,
+      {map, problem, gesture, is_current} = this.studied;
+    if (!map || !tolerances_of(problem)) question.forget();
+    else if (gesture || !is_current) question.hold();
+    else if (!question.is_of(map)) void question.ask(map, (signal) => this.study(map, signal), settle_ms);
   }
   /** Nobody looks any more. */
   rest(): void {
-    clearTimeout(this.timer);
-    if (!this.found) this.drop();
-  }
-  private drop(): void {
-    this.asked?.stop.abort();
-    this.asked = null;
+    if (this.found) this.question.hold();
+    else this.question.drop();
   }
 
-  private async fetch(map: MapAnswer): Promise<void> {
+  /** Nothing where the map has changed meanwhile: once more with the next. */
+  private async study(map: MapAnswer, signal: AbortSignal): Promise<Front | null> {
     const {engine, problem, task, window, answers} = this.studied;
-    if (!engine || !task || !answers.map_is_of_present) return;
-    this.drop();
-    const asked = (this.asked = {map, stop: new AbortController()}),
-      text = engine_text(problem),
-      {signal} = asked.stop;
+    if (!engine || !task || !answers.map_is_of_present) return null;
+    const text = engine_text(problem),
+      {samples} = map,
+      {order} = task.axes.input;
     const values = async (property: Property) => {
       if (map.property === property) return map.value;
-      const {samples} = map,
-        order = task.axes.input.order;
       const reply = await engine.run({kind: "explore", problem: text, samples, window, property, order}, {signal});
-      return reply.map?.value ?? null;
+      return reply.map?.value;
     };
-    try {
-      const [angles, errors] = [await values(properties[0]), await values(properties[1])];
-      const {front} = await engine.run({kind: "front", problem: text, objectives}, {signal});
-      if (this.asked !== asked) return;
-      const is_of_map = angles?.length === map.fails.length && errors?.length === map.fails.length;
-      if (is_of_map && is_of(map, front, angles))
-        this.found = {text, window, points: points_of(map, front), cells: cells_of(map, angles, errors)};
-      else this.asked = null; // the map has changed meanwhile, and what was asked for with it
-    } catch {
-      if (this.asked === asked) this.asked = null; // once more with the next map
-    }
+    const [angles, errors] = [await values(properties[0]), await values(properties[1])];
+    const {front} = await engine.run({kind: "front", problem: text, objectives}, {signal});
+    if (angles?.length !== map.fails.length || errors?.length !== map.fails.length || !is_of(map, front, angles))
+      return null;
+    return {text, window, points: points_of(map, front), cells: cells_of(map, angles, errors)};
   }
 }
 

@@ -1,12 +1,15 @@
 // Keeps the linkage in hand and the picked one up to the document and the pointer.
 import {Crashed, Refusal, type EngineClient} from "../engine/client";
 import type {Linkage, Mistake, Picked, Replies, TauPair} from "../engine/protocol";
+import {Question} from "../questions/question.svelte";
+import type {Questions} from "../questions/questions";
 import type {Answers} from "./answers.svelte";
 import {gives_linkage} from "../tasks/kinds";
-import {same_tau, type Document} from "./document";
+import {same_linkage, same_tau, type Document, type LinkageOf} from "./document";
 import {engine_text, same_question, type Problem} from "./problem";
 
 interface Followed {
+  readonly questions: Questions;
   readonly driver_client: EngineClient | null;
   readonly answers: Answers;
   readonly problem: Problem;
@@ -26,7 +29,8 @@ interface Followed {
 const slow_ms = 100;
 
 export class LinkageFollower {
-  private verified_for = "";
+  /** What driving has found. */
+  readonly verdict: Question<LinkageOf, Replies["verify"]>;
   private live_ms = 0; // what the last live part took the engine
   private turn = 0; // of what was asked, or has come with a map: what an earlier one brings is of before
 
@@ -34,7 +38,9 @@ export class LinkageFollower {
   constructor(
     private readonly followed: Followed,
     private readonly weigh: (linkage: Linkage) => void,
-  ) {}
+  ) {
+    this.verdict = new Question(followed.questions, {same: same_linkage});
+  }
 
   /** Something else is hovered, or nothing. */
   hover(): void {
@@ -119,17 +125,13 @@ export class LinkageFollower {
     const {followed} = this;
     followed.answers.take_picked(linkage, problem);
     if (followed.gesture) return;
-    void this.fetch_verified(linkage.tau, problem);
+    this.verify({problem, tau: linkage.tau});
     if (same_question(followed.problem, problem)) this.weigh(linkage); // else the change was made meanwhile: this is of before
   }
-  private async fetch_verified(tau: TauPair, problem: Problem): Promise<void> {
-    const {answers, driver_client} = this.followed,
-      text = engine_text(problem),
-      asked = text + tau.join();
-    if (asked === this.verified_for && answers.verified) return;
-    this.verified_for = asked;
-    const reply = await driver_client?.follow("verify", {problem: text, tau}).catch(() => null);
-    if (reply) answers.take_verdict(reply, tau, problem);
+  private verify(of: LinkageOf): void {
+    const {driver_client} = this.followed;
+    if (!driver_client || this.verdict.is_of(of)) return;
+    void this.verdict.ask(of, () => driver_client.follow("verify", {problem: engine_text(of.problem), tau: of.tau}));
   }
   /** The linkage at τ; nothing where the task has changed meanwhile or the engine does not answer. */
   async fetch(tau: TauPair): Promise<Linkage | null> {

@@ -10,12 +10,14 @@ import {
   type Requests,
   type Window,
 } from "../engine/protocol";
+import type {Questions} from "../questions/questions";
 import type {Answers} from "./answers.svelte";
 import {settled_on, type Document} from "./document";
 import {engine_text, same_question, type Problem} from "./problem";
 import {YieldSampler, type YieldProgress} from "./yield_sampler";
 
 interface Mapped {
+  readonly questions: Questions;
   readonly engine: EngineClient | null;
   readonly driver_client: EngineClient | null;
   engine_state: "loading" | "ready" | "missing" | "slow";
@@ -71,10 +73,7 @@ export class MapFollower {
     /** Nothing is in hand yet. */
     private readonly start: () => void,
   ) {
-    this.yields = new YieldSampler(
-      () => mapped.engine,
-      (progress) => this.show_yields(progress),
-    );
+    this.yields = new YieldSampler(mapped.questions, (progress) => this.show_yields(progress));
   }
 
   refresh(): void {
@@ -169,7 +168,8 @@ export class MapFollower {
     if (this.mapped.gesture || this.fine) return;
     this.fine_timer = setTimeout(() => {
       this.fine = true;
-      if (this.wants_yields) return void this.yields.follow(engine_text(this.mapped.problem));
+      const {engine, problem} = this.mapped;
+      if (this.wants_yields) return engine && void this.yields.follow(engine, engine_text(problem));
       if (this.mapped.window !== whole) void this.count_whole();
       void this.explore(fine_samples);
     }, 300);

@@ -271,7 +271,7 @@ const doings: Record<string, Doing> = {
   },
 };
 function set_to_work({workbench}: Page, by: number): void {
-  (workbench.best_list as unknown as {last: null}).last = null;
+  workbench.best_list.question.forget();
   void workbench.best_list.fetch();
   void workbench.linkages.fetch([by / 1000, 0.3]);
 }

@@ -2,6 +2,8 @@
 // that could be, a map of the task moved so has the last word.
 import type {EngineClient} from "../engine/client";
 import {whole, type Point, type Property} from "../engine/protocol";
+import {null_if_refused, Question} from "../questions/question.svelte";
+import type {Questions} from "../questions/questions";
 import {poses_of, type Pose} from "./task";
 import type {Answers, Halo} from "./answers.svelte";
 import {halo_reach} from "./halo_follower";
@@ -15,11 +17,19 @@ export interface WayOut {
   meeting: number;
 }
 interface Stuck {
+  readonly questions: Questions;
   readonly driver_client: EngineClient | null;
   readonly answers: Answers;
   readonly problem: Problem;
   readonly property: Property;
-  readonly gesture: boolean;
+}
+interface Found {
+  way: WayOut;
+  halo: Halo;
+}
+interface Search {
+  client: EngineClient;
+  signal: AbortSignal;
 }
 interface Move {
   by: Point;
@@ -32,74 +42,76 @@ const reaches = [0.2, 1, 5], // of the usual halo: near first
   samples = 400;
 
 export class WayOutSeeker {
-  found = $state.raw<WayOut | null>(null);
-  private sought_for: Problem | null = null;
-  private shown: Halo | null = null;
-  private search = new AbortController();
+  private readonly question: Question<Problem, Found | "none">;
 
   /** `moved`: the problem with a pose of its own elsewhere. */
   constructor(
     private readonly stuck: Stuck,
     private readonly moved: (problem: Problem, pose: number, by: Point) => Problem,
-  ) {}
+  ) {
+    this.question = new Question(stuck.questions);
+  }
 
+  private get answer(): Found | null {
+    const {value} = this.question;
+    return value === "none" ? null : value;
+  }
+  get found(): WayOut | null {
+    return this.answer?.way ?? null;
+  }
   /** Once for a problem. */
   seek(): void {
-    const {problem} = this.stuck;
-    if (this.sought_for === problem) return;
+    const {problem, answers, driver_client: client} = this.stuck;
+    if (!client || this.question.is_of(problem) || this.question.is_asked(problem)) return;
     this.forget();
-    this.sought_for = problem;
-    this.search = new AbortController();
-    void this.look(problem);
+    void this.question.ask(problem, async (signal) => {
+      const found = await this.look(problem, {client, signal});
+      if (found !== "none" && !signal.aborted) answers.halo = found.halo;
+      return found;
+    });
   }
   /** There is something left, or the user is at work himself. */
   forget(): void {
-    this.search.abort();
-    this.sought_for = this.found = null;
-    if (this.shown && this.stuck.answers.halo === this.shown) this.stuck.answers.halo = null;
-    this.shown = null;
+    const {answers} = this.stuck;
+    if (this.answer && answers.halo === this.answer.halo) answers.halo = null;
+    this.question.forget();
   }
-  private async look(problem: Problem): Promise<void> {
+  private async look(problem: Problem, search: Search): Promise<Found | "none"> {
     const poses = poses_of(problem.task);
     for (const times of reaches)
-      for (const move of await this.moves(problem, poses, times * halo_reach(poses))) {
-        const meeting = await this.count(this.moved(problem, move.halo.part, move.by));
-        if (!this.is_wanted(problem)) return;
+      for (const {by, halo} of await this.moves(problem, poses, times * halo_reach(poses), search)) {
+        const meeting = await this.count(this.moved(problem, halo.part, by), search);
         if (meeting === 0) continue;
-        this.found = {pose: move.halo.part, by: move.by, meeting};
-        const halo = times < 1 ? await this.wider(problem, move.halo) : move.halo;
-        if (this.is_wanted(problem)) this.stuck.answers.halo = this.shown = halo;
-        return;
+        const way = {pose: halo.part, by, meeting};
+        return {way, halo: times < 1 ? await this.wider(problem, halo, search) : halo};
       }
+    return "none";
   }
   /** What is near is hidden by the position itself: the halo shows what lies about it, too. */
-  private async wider(problem: Problem, halo: Halo): Promise<Halo> {
-    const usual = await this.halo_of(problem, halo.part, halo_reach(poses_of(problem.task)));
+  private async wider(problem: Problem, halo: Halo, search: Search): Promise<Halo> {
+    const usual = await this.halo_of(problem, halo.part, halo_reach(poses_of(problem.task)), search);
     return usual && nearest(usual, 1) ? usual : halo;
   }
-  private is_wanted(problem: Problem): boolean {
-    return this.sought_for === problem && this.stuck.problem === problem && !this.stuck.gesture;
-  }
   /** Of each position the nearest place with something left, the smallest move first. */
-  private async moves(problem: Problem, poses: readonly Pose[], reach: number): Promise<Move[]> {
+  private async moves(problem: Problem, poses: readonly Pose[], reach: number, search: Search): Promise<Move[]> {
     const found: Move[] = [];
-    for (let pose = 0; pose < poses.length && this.is_wanted(problem); ++pose) {
-      const halo = await this.halo_of(problem, pose, reach),
+    for (const pose of poses.keys()) {
+      const halo = await this.halo_of(problem, pose, reach, search),
         by = halo && (nearest(halo, enough) ?? nearest(halo, 1));
       if (by) found.push({by, halo});
     }
     return found.sort((a, b) => size_of(a.by) - size_of(b.by));
   }
-  private async halo_of(problem: Problem, part: number, reach: number): Promise<Halo | null> {
+  private async halo_of(problem: Problem, part: number, reach: number, search: Search): Promise<Halo | null> {
     const asked = {kind: "halo", problem: engine_text(problem), part, mode: "move", reach, steps} as const;
-    const reply = await this.stuck.driver_client?.run({...asked, samples: halo_samples}, this.search).catch(() => null);
-    return reply ? {...reply, part, mode: "move"} : null;
+    const reply = await search.client.run({...asked, samples: halo_samples}, search).catch(null_if_refused);
+    return reply && {...reply, part, mode: "move"};
   }
-  private async count(problem: Problem): Promise<number> {
-    const {driver_client, property} = this.stuck;
+  private async count(problem: Problem, search: Search): Promise<number> {
+    const {property} = this.stuck;
     const asked = {kind: "explore", problem: engine_text(problem), samples, window: whole, property} as const;
-    const reply = await driver_client?.run({...asked, order: "fresh"}, this.search).catch(() => null);
-    return reply?.map?.census.meeting ?? 0;
+    const reply = search.client.run({...asked, order: "fresh"}, search);
+    return (await reply.catch(null_if_refused))?.map?.census.meeting ?? 0;
   }
 }
 

@@ -1,4 +1,5 @@
 import {expect, it} from "vitest";
+import {Questions} from "../questions/questions";
 import {poses_of} from "./task";
 import {nearest, WayOutSeeker} from "./way_out.svelte";
 import {with_pose_moved} from "../tasks/kinds";
@@ -26,6 +27,7 @@ it("the smallest move that leaves something is found, counted on its own map, an
     return {counts, steps: 13, reach};
   };
   const stuck = {
+    questions: new Questions(),
     problem,
     answers,
     gesture: false,

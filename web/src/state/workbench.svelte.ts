@@ -5,12 +5,10 @@ import {
   whole,
   type Box,
   type Census,
-  type InstantReport,
   type Linkage,
   type Live,
   type MapAnswer,
   type Picked,
-  type Point,
   type Property,
   type Replies,
   type Side,
@@ -31,6 +29,7 @@ import {
   with_other_task,
   with_pose_moved,
 } from "../tasks/kinds";
+import {Questions} from "../questions/questions";
 import type {TextKey, Values} from "../texts/texts.svelte";
 import {Answers, type Halo} from "./answers.svelte";
 import {BestList} from "./best_list.svelte";
@@ -53,10 +52,6 @@ import {ToleranceStudy} from "./tolerance_study.svelte";
 import {WayOutSeeker} from "./way_out.svelte";
 import {after_change, with_toast, type Toast} from "./toasts";
 
-/** The pivots of a four-bar, as files name them. */
-export type Quadrilateral = Readonly<
-  Record<"input_center" | "input_circle" | "output_center" | "output_circle", Point>
->;
 export type Mode = "point" | "outline" | "ground_box" | "moving_box" | "search_box" | "trace" | "scale";
 /** What stands below the map. */
 export type Below = "numbers" | "best" | "tolerances" | "front";
@@ -69,6 +64,7 @@ const before_last = 1.55;
 const search_patience = 10;
 
 export class Workbench extends Editing {
+  readonly questions = new Questions();
   /** What the engine has said, each with the problem of which it said it. */
   readonly answers = new Answers(() => ({problem: this.problem, tau: this.tau_in_hand}));
   incomplete = $state.raw<Incomplete | null>(null);
@@ -159,8 +155,11 @@ export class Workbench extends Editing {
   get live(): Live | null {
     return this.answers.live;
   }
+  /** What driving has found of the very linkage in hand through the very task in force; null: not known. */
   get verified(): Replies["verify"] | null {
-    return this.answers.verified;
+    const {hand, problem, answers} = this,
+      {verdict} = this.linkages;
+    return hand && answers.hand_is_of_present && verdict.is_of({problem, tau: hand.tau}) ? verdict.value : null;
   }
   get halo(): Halo | null {
     return this.answers.halo;
@@ -349,13 +348,6 @@ export class Workbench extends Editing {
   /** Where a held part of the task may go with linkages left. */
   fetch_halo(part: number, mode: "move" | "turn", reach: number): Promise<void> {
     return this.halos.follow(part, mode, reach);
-  }
-  /** What one instant of a four-bar tells; null where there is no answer, or a newer one is wanted. */
-  async instant_of(pivots: Quadrilateral): Promise<InstantReport | null> {
-    const reply = await this.driver_client
-      ?.follow("report", {of: "instant", text: JSON.stringify({pivots})})
-      .catch(() => null);
-    return reply ? (reply.report as InstantReport) : null;
   }
   /** For the first step of the tour: where the position with the most room may go. */
   offer_halo(poses: number, reach: number): Promise<void> {
