@@ -162,8 +162,8 @@ export async function until_mapped(page: Page): Promise<void> {
 export async function until_settled(page: Page): Promise<void> {
   await until_mapped(page);
   await page.waitForFunction(() => {
-    const {is_current, hand, tau_in_hand, seeker} = globalThis.__linkwright!.workbench;
-    return is_current && !seeker.seeking && hand?.tau.join() === tau_in_hand?.join();
+    const {is_current, hand, tau_in_hand, questions} = globalThis.__linkwright!.workbench;
+    return is_current && questions.settled() && hand?.tau.join() === tau_in_hand?.join();
   });
 }
 

@@ -12,11 +12,24 @@ interface Asked<Of, Value> {
   answer: Promise<Value | null>;
 }
 
+/** So long the last answer stands for the next one: in a drag each comes a few frames late. */
+export const patience_ms = 400;
+
 interface Options<Of> {
   /** Whether the answer of one is that of the other. */
   same?: (a: Of, b: Of) => boolean;
   /** What it is asked of may change faster than the engine answers: an answer that comes late is one until the next. */
   follows?: boolean;
+  /** Whether an answer is what the page is about: what has not been so for longer than patience is stale. */
+  is_present?: (of: Of) => boolean;
+}
+interface Asking<Value> {
+  /** Before it is asked; meanwhile something else may be. */
+  rest_ms?: number;
+  /** It refines what there is: nobody waits for it. */
+  at_leisure?: boolean;
+  /** Hears of the answer in the moment in which it is there: what it brings along is shown with it. */
+  taken?: (value: Value) => void;
 }
 
 /** One question, asked again and again of something else. The last answer stays until the next is there. */
@@ -25,16 +38,21 @@ export class Question<Of, Value> {
   error = $state.raw<Crashed | Refusal | null>(null);
   /** By the clock, the last answer. */
   took_ms = 0;
+  stale = $state(false);
+  /** On its way, or waiting. */
+  busy = $state(false);
+  private stale_timer: ReturnType<typeof setTimeout> | undefined;
   private answered = $state.raw<{of: Of; value: Value} | null>(null);
-  private asked = $state.raw<readonly Asked<Of, Value>[]>([]); // the last one is the present one
+  private asked: readonly Asked<Of, Value>[] = []; // the last one is the present one
   private readonly same: (a: Of, b: Of) => boolean;
   private readonly follows: boolean;
+  private readonly is_present: (of: Of) => boolean;
 
   constructor(
     private readonly questions: Questions,
-    {same = (a, b) => a === b, follows = false}: Options<Of> = {},
+    {same = (a, b) => a === b, follows = false, is_present = () => true}: Options<Of> = {},
   ) {
-    [this.same, this.follows] = [same, follows];
+    [this.same, this.follows, this.is_present] = [same, follows, is_present];
   }
 
   get value(): Value | null {
@@ -47,28 +65,31 @@ export class Question<Of, Value> {
   is_of(of: Of): boolean {
     return this.answered !== null && this.same(this.answered.of, of);
   }
+  get is_of_present(): boolean {
+    return this.answered !== null && this.is_present(this.answered.of);
+  }
   is_asked(of: Of): boolean {
     return this.last !== undefined && this.same(this.last.of, of);
-  }
-  /** On its way, or waiting. */
-  get busy(): boolean {
-    return this.last !== undefined;
   }
   private get last(): Asked<Of, Value> | undefined {
     return this.asked.at(-1);
   }
 
-  /** Asks unless that is on its way, and supersedes what is. Waits `rest_ms` first, in which something else may be asked.
+  /** Asks unless that is on its way, and supersedes what is.
    *  Null where there is no answer: it was superseded, it has failed, or the request has found that nobody wants it. */
-  ask(of: Of, request: Request<Value>, rest_ms = 0): Promise<Value | null> {
+  ask(of: Of, request: Request<Value>, asking: Asking<Value> = {}): Promise<Value | null> {
     if (this.last && this.same(this.last.of, of)) return this.last.answer;
     this.let_go(({sent}) => !this.follows || !sent);
     const asked = {of, stop: new AbortController(), sent: false} as Asked<Of, Value>;
-    this.questions.begin(asked);
-    this.asked = [...this.asked, asked];
-    return (asked.answer = this.answer_of(asked, request, rest_ms));
+    if (!asking.at_leisure) this.questions.begin(asked);
+    this.note_asked([...this.asked, asked]);
+    return (asked.answer = this.answer_of(asked, request, asking));
   }
-  private async answer_of(asked: Asked<Of, Value>, request: Request<Value>, rest_ms: number): Promise<Value | null> {
+  private async answer_of(
+    asked: Asked<Of, Value>,
+    request: Request<Value>,
+    {rest_ms = 0, taken}: Asking<Value>,
+  ): Promise<Value | null> {
     const {signal} = asked.stop;
     try {
       if (rest_ms > 0) await rest(rest_ms, signal);
@@ -77,17 +98,21 @@ export class Question<Of, Value> {
         value = await request(signal);
       if (signal.aborted) return null;
       this.took_ms = performance.now() - begin;
-      if (value !== null) this.put(asked.of, value);
       const at = this.asked.indexOf(asked);
       this.let_go((other) => this.asked.indexOf(other) < at); // they are of before
+      if (value !== null) this.take(asked.of, value, taken);
       return value;
     } catch (error) {
       if (!signal.aborted) this.note(error);
       return null;
     } finally {
       this.questions.end(asked);
-      this.asked = this.asked.filter((other) => other !== asked);
+      this.note_asked(this.asked.filter((other) => other !== asked));
     }
+  }
+  private note_asked(asked: readonly Asked<Of, Value>[]): void {
+    this.asked = asked;
+    this.busy = asked.length > 0;
   }
   private note(error: unknown): void {
     if (error instanceof Superseded || error instanceof Cancelled) return; // by another of its kind
@@ -105,20 +130,43 @@ export class Question<Of, Value> {
   }
   private let_go(unwanted: (asked: Asked<Of, Value>) => boolean): void {
     const gone = this.asked.filter(unwanted);
-    if (gone.length) this.asked = this.asked.filter((asked) => !gone.includes(asked));
+    this.note_asked(this.asked.filter((asked) => !gone.includes(asked)));
     for (const asked of gone) {
       this.questions.end(asked);
       asked.stop.abort(new Cancelled());
     }
   }
-  /** An answer that has come otherwise. */
+  /** An answer that has come otherwise takes the place of what is on its way. */
   put(of: Of, value: Value): void {
+    this.drop();
+    this.take(of, value);
+  }
+  private take(of: Of, value: Value, taken?: (value: Value) => void): void {
     this.error = null;
     this.answered = {of, value};
+    clearTimeout(this.stale_timer);
+    this.stale_timer = undefined;
+    this.compare();
+    taken?.(value);
+  }
+  /** What the page is about may be something else. */
+  compare(): void {
+    const is_behind = () => this.answered !== null && !this.is_of_present;
+    if (is_behind())
+      this.stale_timer ??= setTimeout(() => {
+        this.stale_timer = undefined;
+        this.stale = is_behind();
+      }, patience_ms);
+    else {
+      clearTimeout(this.stale_timer);
+      this.stale_timer = undefined;
+      this.stale = false;
+    }
   }
   forget(): void {
     this.drop();
     this.error = this.answered = null;
+    this.compare();
   }
 }
 

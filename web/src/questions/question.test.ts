@@ -1,7 +1,7 @@
 import {afterEach, beforeEach, describe, expect, it, vi} from "vitest";
 import {Crashed, Superseded} from "../engine/client";
 import {Refusal} from "../engine/refusal";
-import {Question} from "./question.svelte";
+import {patience_ms, Question} from "./question.svelte";
 import {Questions} from "./questions";
 
 /** A request that is answered when the test says so. */
@@ -85,6 +85,53 @@ describe("a question", () => {
     await vi.advanceTimersByTimeAsync(1);
     expect([following.value, following.busy, questions.settled()]).toEqual([null, false, true]);
   });
+  it("shows what comes with its answer in the same moment", async () => {
+    const a = held<number>(),
+      taken = vi.fn((value: number) => void expect([question.value, value]).toEqual([1, 1]));
+    const answer = question.ask("a", a.request, {taken});
+    a.resolve(1);
+    await answer;
+    expect(taken).toHaveBeenCalledTimes(1);
+  });
+  it("takes an answer that comes otherwise in place of what is on its way", async () => {
+    const a = held<number>(),
+      answer = question.ask("a", a.request);
+    question.put("b", 2);
+    a.resolve(1);
+    expect(await answer).toBeNull();
+    expect([question.value, question.of]).toEqual([2, "b"]);
+  });
+  it("is stale where its answer has not been of the present for longer than patience", async () => {
+    let present = "a";
+    const about = new Question<string, number>(questions, {is_present: (of) => of === present});
+    about.put("a", 1);
+    present = "b";
+    about.compare();
+    await vi.advanceTimersByTimeAsync(patience_ms - 1);
+    about.compare(); // does not begin to wait again
+    expect([about.stale, about.is_of_present]).toEqual([false, false]);
+    await vi.advanceTimersByTimeAsync(1);
+    expect(about.stale).toBe(true);
+    about.put("b", 2);
+    expect([about.stale, about.is_of_present]).toEqual([false, true]);
+    present = "c";
+    about.compare();
+    await vi.advanceTimersByTimeAsync(patience_ms - 1);
+    about.put("between", 3); // an answer, if not of the present: patience begins anew
+    await vi.advanceTimersByTimeAsync(patience_ms - 1);
+    expect(about.stale).toBe(false);
+    await vi.advanceTimersByTimeAsync(1);
+    expect(about.stale).toBe(true);
+    about.forget();
+    expect(about.stale).toBe(false);
+  });
+  it("is not waited for where it is asked at leisure", async () => {
+    const a = held<number>(),
+      answer = question.ask("a", a.request, {at_leisure: true});
+    expect([question.busy, questions.settled()]).toEqual([true, true]);
+    a.resolve(1);
+    expect(await answer).toBe(1);
+  });
   it("tells why it has no answer: refused, died; not where another of its kind was asked", async () => {
     for (const [reason, error] of [
       [new Superseded(), null],
@@ -108,18 +155,18 @@ describe("a question", () => {
   it("waits for rest, in which something else may be asked", async () => {
     const a = held<number>(),
       b = held<number>();
-    void question.ask("a", a.request, 100);
+    void question.ask("a", a.request, {rest_ms: 100});
     await vi.advanceTimersByTimeAsync(60);
-    void question.ask("a", a.request, 100); // goes on waiting
+    void question.ask("a", a.request, {rest_ms: 100}); // goes on waiting
     await vi.advanceTimersByTimeAsync(39);
     expect([a.request.mock.calls.length, questions.settled()]).toEqual([0, false]);
-    const answer = question.ask("b", b.request, 100);
+    const answer = question.ask("b", b.request, {rest_ms: 100});
     await vi.advanceTimersByTimeAsync(100);
     expect([a.request.mock.calls.length, b.request.mock.calls.length]).toEqual([0, 1]);
     question.hold(); // too late
     b.resolve(2);
     expect(await answer).toBe(2);
-    void question.ask("a", a.request, 100);
+    void question.ask("a", a.request, {rest_ms: 100});
     question.hold();
     expect(questions.settled()).toBe(true);
     await vi.advanceTimersByTimeAsync(200);

@@ -2,7 +2,7 @@
 export class Questions {
   private readonly open = new Set<object>();
 
-  /** Nothing is on its way, or waits until it is worth asking. */
+  /** Nothing is on its way, or waits until it is worth asking, but what is asked at leisure. */
   settled(): boolean {
     return this.open.size === 0;
   }

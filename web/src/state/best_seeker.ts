@@ -1,7 +1,9 @@
 // Puts better linkages in hand: the best of all, the best of the next type, the best nearby.
 import type {EngineClient} from "../engine/client";
 import {degenerate} from "../engine/protocol";
-import type {Linkage, MapAnswer, Picked, TauPair} from "../engine/protocol";
+import type {Linkage, MapAnswer, Picked, Replies, TauPair} from "../engine/protocol";
+import {Question} from "../questions/question.svelte";
+import type {Questions} from "../questions/questions";
 import type {TextKey, Values} from "../texts/texts.svelte";
 import type {Answers} from "./answers.svelte";
 import {same_tau} from "./document";
@@ -9,6 +11,7 @@ import {engine_text, type Problem} from "./problem";
 import type {Toast} from "./toasts";
 
 interface Sought {
+  readonly questions: Questions;
   readonly driver_client: EngineClient | null;
   readonly answers: Answers;
   readonly problem: Problem;
@@ -27,21 +30,25 @@ const at_rest_ms = 300; // after the last of several changes
 const listed = 20; // among which the best of each type is looked for
 
 export class BestSeeker {
-  /** The best linkage was asked for; the answer may put it in hand. */
-  seeking = false;
   private met = false; // the picked linkage met all that was required, before the last change
-  private search = new AbortController();
+  private readonly best: Question<object, Replies["best"]>;
+  private readonly better: Question<object, Replies["improve"]>;
+  private readonly left: Question<object, Replies["best"]>;
 
-  constructor(private readonly sought: Sought) {}
-
-  /** What the user asks for takes the place of what was asked before. */
-  private begin(): {client: EngineClient; signal: AbortSignal} | null {
-    const client = this.sought.driver_client;
-    this.search.abort();
-    this.search = new AbortController();
-    return client && {client, signal: this.search.signal};
+  constructor(private readonly sought: Sought) {
+    this.best = new Question(sought.questions);
+    this.left = new Question(sought.questions);
+    this.better = new Question(sought.questions);
   }
 
+  /** The best linkage was asked for; the answer may put it in hand. */
+  get seeking(): boolean {
+    return this.best.busy;
+  }
+  /** A better linkage nearby is being looked for. */
+  get improving(): boolean {
+    return this.better.busy;
+  }
   /** Of a task in which nothing was picked yet: no step. */
   start(): void {
     if (!this.seeking) void this.pick_best(true);
@@ -49,14 +56,12 @@ export class BestSeeker {
   async pick_best(quietly = false): Promise<void> {
     const {sought} = this,
       {problem, answers} = sought,
-      asked = this.begin();
-    if (!asked) return;
-    this.seeking = true;
-    const reply = await asked.client
-      .run({kind: "best", problem: engine_text(problem), most: 1}, asked)
-      .catch(() => null);
-    if (asked.signal.aborted) return; // another search goes on in its place
-    this.seeking = false;
+      client = sought.driver_client;
+    if (!client) return;
+    const reply = await this.best.ask({}, (signal) =>
+      client.run({kind: "best", problem: engine_text(problem), most: 1}, {signal}),
+    );
+    if (this.seeking) return; // another search goes on in its place
     if (sought.problem !== problem) {
       if (quietly && sought.is_current && !sought.picked) this.start(); // its map came meanwhile
       return;
@@ -81,12 +86,11 @@ export class BestSeeker {
   }
   async improve(): Promise<void> {
     const {sought} = this,
-      {problem, picked, answers} = sought,
-      client = sought.driver_client;
+      {problem, picked, driver_client: client} = sought;
     if (!picked || !client) return;
-    answers.improving = true;
-    const reply = await client.run({kind: "improve", problem: engine_text(problem), tau: picked.tau}).catch(() => null);
-    answers.improving = false;
+    const reply = await this.better.ask({}, (signal) =>
+      client.run({kind: "improve", problem: engine_text(problem), tau: picked.tau}, {signal}),
+    );
     if (!reply || sought.problem !== problem) return;
     if (reply.improved) sought.pick(reply.tau);
     else sought.say("state.cannot_improve");
@@ -104,14 +108,12 @@ export class BestSeeker {
   /** A change that has cost the picked linkage: the best that is left takes its place, in the change's own step. */
   private async leave_what_fails(): Promise<void> {
     const {sought} = this,
-      {problem, picked} = sought;
+      {problem, picked, driver_client: client} = sought;
     const still = () =>
       sought.just_changed && !sought.gesture && sought.problem === problem && same_tau(sought.picked?.tau, picked?.tau);
-    await new Promise((resolve) => setTimeout(resolve, at_rest_ms));
-    if (!still()) return;
-    const reply = await sought.driver_client
-      ?.run({kind: "best", problem: engine_text(problem), most: 1})
-      .catch(() => null);
+    const request = async (signal: AbortSignal) =>
+      client && still() ? client.run({kind: "best", problem: engine_text(problem), most: 1}, {signal}) : null;
+    const reply = await this.left.ask({}, request, {rest_ms: at_rest_ms});
     if (!reply || !still()) return;
     sought.just_changed = this.met = false;
     const best = reply.linkages[0];

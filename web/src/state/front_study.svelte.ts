@@ -55,7 +55,8 @@ export class FrontStudy {
       {map, problem, gesture, is_current} = this.studied;
     if (!map || !tolerances_of(problem)) question.forget();
     else if (gesture || !is_current) question.hold();
-    else if (!question.is_of(map)) void question.ask(map, (signal) => this.study(map, signal), settle_ms);
+    else if (!question.is_of(map))
+      void question.ask(map, (signal) => this.study(map, signal), {rest_ms: settle_ms, at_leisure: true});
   }
   /** Nobody looks any more. */
   rest(): void {

@@ -1,5 +1,7 @@
 // Shows where a part of the task may go with linkages left, while it is held or before it is touched.
 import type {EngineClient} from "../engine/client";
+import {Question} from "../questions/question.svelte";
+import type {Questions} from "../questions/questions";
 import type {Answers, Halo} from "./answers.svelte";
 import type {Document} from "./document";
 import {most_of} from "./ends";
@@ -7,6 +9,7 @@ import {engine_text, poses_extent, round_step} from "./problem";
 import type {Pose} from "./task";
 
 interface Held {
+  readonly questions: Questions;
   readonly driver_client: EngineClient | null;
   readonly answers: Answers;
   readonly document: Document;
@@ -29,9 +32,11 @@ export function halo_reach(poses: readonly Pose[]): number {
 }
 
 export class HaloFollower {
-  private hold: object | null = null; // what is followed
+  private readonly question: Question<object, Halo>;
 
-  constructor(private readonly held: Held) {}
+  constructor(private readonly held: Held) {
+    this.question = new Question(held.questions);
+  }
 
   private async ask(part: number, mode: Halo["mode"], reach: number, steps: number): Promise<Halo | null> {
     const problem = engine_text(this.held.document.problem);
@@ -53,21 +58,23 @@ export class HaloFollower {
   }
   /** Nothing is held any more. */
   release(): void {
-    this.hold = null;
+    this.question.drop();
     this.held.answers.halo = null;
   }
   /** Steps² cells of a square, or steps of an arc. Closer where the room that is left is near, finer once the hand rests. */
   async follow(part: number, mode: Halo["mode"], reach: number): Promise<void> {
+    await this.question.ask({}, (signal) => this.look(part, mode, reach, signal), {at_leisure: true});
+  }
+  private async look(part: number, mode: Halo["mode"], reach: number, signal: AbortSignal): Promise<Halo | null> {
     const {held} = this,
-      hold = (this.hold = {}),
-      is_held = () => held.gesture && this.hold === hold;
+      is_held = () => held.gesture && !signal.aborted;
     const show = async (steps: number) => {
       const halo = await this.ask(part, mode, reach, steps);
       if (halo && is_held()) held.answers.halo = halo;
       return halo;
     };
     let halo = await show(mode === "turn" ? turn_steps : first_steps);
-    if (mode === "turn") return;
+    if (mode === "turn") return halo;
     for (let closer = 0; closer < 2 && halo && is_held() && in_inner_half(halo.counts, first_steps); ++closer) {
       reach /= 2;
       halo = await show(first_steps);
@@ -76,9 +83,10 @@ export class HaloFollower {
     let seen = held.document;
     while (is_held() && finer_ms < longest_ms) {
       await new Promise((resolve) => setTimeout(resolve, at_rest_ms));
-      if (held.document === seen) return void (await (is_held() && show(fine_steps)));
+      if (held.document === seen) return is_held() ? show(fine_steps) : null;
       seen = held.document;
     }
+    return halo;
   }
 }
 

@@ -1,5 +1,5 @@
 // Keeps the linkage in hand and the picked one up to the document and the pointer.
-import {Crashed, Refusal, type EngineClient} from "../engine/client";
+import {Refusal, type EngineClient} from "../engine/client";
 import type {Linkage, Mistake, Picked, Replies, TauPair} from "../engine/protocol";
 import {Question} from "../questions/question.svelte";
 import type {Questions} from "../questions/questions";
@@ -32,7 +32,6 @@ export class LinkageFollower {
   /** What driving has found. */
   readonly verdict: Question<LinkageOf, Replies["verify"]>;
   private live_ms = 0; // what the last live part took the engine
-  private turn = 0; // of what was asked, or has come with a map: what an earlier one brings is of before
 
   /** `weigh` hears of the picked linkage of the problem in force. */
   constructor(
@@ -68,57 +67,67 @@ export class LinkageFollower {
   take({linkage, live}: Replies["explore"], of: Problem): void {
     const {answers, tau_in_hand} = this.followed;
     if (linkage && same_tau(linkage.tau, tau_in_hand)) {
-      ++this.turn;
-      this.take_live(live);
-      this.take_hand(linkage, of);
-    } else if (!answers.hand_is(tau_in_hand, of)) this.follow(of);
+      answers.take_hand(linkage, of);
+      this.take_live(live, {problem: of, tau: linkage.tau});
+      this.note_hand(linkage, of);
+    } else if (!tau_in_hand || !answers.held.is_of({problem: of, tau: tau_in_hand})) this.follow(of);
   }
   private async fetch_hand(problem = this.followed.problem): Promise<void> {
-    const {followed} = this,
-      {tau_in_hand: tau, document, answers, driver_client} = followed,
-      is_given = gives_linkage(problem.task),
-      turn = ++this.turn;
-    if (!tau || !driver_client) return answers.take_hand(null, problem);
-    try {
-      const {linkage} = await driver_client.follow("linkage", {problem: engine_text(problem), tau});
-      if (followed.incomplete || this.turn !== turn || !same_tau(followed.tau_in_hand, tau)) return;
-      if (is_given) {
-        answers.take_hand(linkage, problem);
-        answers.take_picked(linkage, problem);
-        return followed.accept(document);
+    const {tau_in_hand: tau, document, answers, driver_client} = this.followed;
+    if (!tau || !driver_client) return answers.forget_hand();
+    const request = async (signal: AbortSignal) => {
+      try {
+        const {linkage} = await driver_client.follow("linkage", {problem: engine_text(problem), tau});
+        return same_tau(this.followed.tau_in_hand, tau) ? linkage : null;
+      } catch (error) {
+        if (error instanceof Refusal && !signal.aborted) this.not_held({problem, tau}, error);
+        throw error;
       }
-      void this.fetch_live(problem);
-      this.take_hand(linkage, problem);
-    } catch (error) {
-      if (error instanceof Crashed) setTimeout(() => this.follow(), 50);
-      else if (error instanceof Refusal && is_given) {
-        if (followed.refuse(problem, error.mistakes) && followed.problem !== problem) followed.refresh(); // to what was good
-      } else if (
-        error instanceof Refusal &&
-        same_question(followed.problem, problem) &&
-        same_tau(followed.tau_in_hand, tau)
-      )
-        answers.take_hand(null, problem);
-    }
+    };
+    await answers.held.ask({problem, tau}, request, {
+      taken: (linkage) => {
+        if (gives_linkage(problem.task)) {
+          answers.take_picked(linkage, problem);
+          return this.followed.accept(document);
+        }
+        void this.fetch_live(problem);
+        this.note_hand(linkage, problem);
+      },
+    });
+  }
+  private not_held({problem, tau}: LinkageOf, {mistakes}: Refusal): void {
+    const {followed} = this;
+    if (gives_linkage(problem.task)) {
+      if (followed.refuse(problem, mistakes) && followed.problem !== problem) followed.refresh(); // to what was good
+    } else if (same_question(followed.problem, problem) && same_tau(followed.tau_in_hand, tau))
+      followed.answers.forget_hand();
   }
   private async fetch_live(problem = this.followed.problem): Promise<void> {
-    const {tau_in_hand: tau, driver_client} = this.followed,
-      {turn} = this;
+    const {
+      tau_in_hand: tau,
+      driver_client,
+      answers: {along},
+    } = this.followed;
     if (!tau || !driver_client) return;
-    if (!this.wants_live) return this.take_live(null);
-    const reply = await driver_client.follow("live", {problem: engine_text(problem), tau}).catch(() => null);
-    if (reply && this.turn === turn) this.take_live(reply);
+    if (!this.wants_live) return along.forget();
+    const of = {problem, tau};
+    await along.ask(of, async () => {
+      const live = await driver_client.follow("live", {problem: engine_text(problem), tau});
+      this.live_ms = live.engine_ms;
+      return live;
+    });
   }
   /** What comes next would wait for it. */
   private get wants_live(): boolean {
     return this.live_ms <= slow_ms || !(this.followed.hovered || this.followed.gesture);
   }
-  private take_live(live: Replies["live"] | null): void {
-    if (live) this.live_ms = live.engine_ms;
-    this.followed.answers.take_live(live);
+  private take_live(live: Replies["live"] | null, of: LinkageOf): void {
+    const {along} = this.followed.answers;
+    if (!live) return along.forget();
+    this.live_ms = live.engine_ms;
+    along.put(of, live);
   }
-  private take_hand(linkage: Linkage, problem: Problem): void {
-    this.followed.answers.take_hand(linkage, problem);
+  private note_hand(linkage: Linkage, problem: Problem): void {
     if (same_tau(linkage.tau, this.followed.picked?.tau)) this.take_picked(linkage, problem);
   }
   private take_picked(linkage: Linkage, problem: Problem): void {

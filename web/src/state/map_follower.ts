@@ -1,6 +1,6 @@
 // Keeps curves, map and counts up to the document. Follows every change at once, coarser where that takes too long, and
 // looks closer at rest.
-import {Crashed, Refusal, Superseded, type EngineClient} from "../engine/client";
+import {Refusal, Superseded, type EngineClient} from "../engine/client";
 import {
   whole,
   type Axes,
@@ -44,7 +44,7 @@ interface Hand {
 
 const even_samples = 400,
   quick_samples = 100;
-export const fine_samples = 1000;
+const fine_samples = 1000;
 const slow_ms = 25,
   slow_often = 3,
   quick_often = 8, // so many 400² maps in a row that take longer make dragging fall back to so many of 100²
@@ -55,7 +55,6 @@ const shortest_rest_ms = 80,
 export class MapFollower {
   private asked = ""; // what the map on screen, or on its way, answers
   private asked_samples = 0;
-  private forgotten = 0; // how often
   private slow_maps = 0; // in a row
   private quick_maps = 0; // left until the next trial at 400²
   private even_ms = 0; // what the last 400² map took
@@ -64,7 +63,6 @@ export class MapFollower {
   private fine_timer: ReturnType<typeof setTimeout> | undefined;
   private slow_timer: ReturnType<typeof setTimeout> | undefined;
 
-  private counting = new AbortController();
   private readonly yields: YieldSampler;
 
   constructor(
@@ -89,42 +87,58 @@ export class MapFollower {
   stop(): void {
     clearTimeout(this.rest_timer);
     clearTimeout(this.fine_timer);
-    this.counting.abort();
+    this.mapped.answers.counted.drop();
     this.yields.stop();
     this.fine = false;
   }
   /** What was asked will not be answered, or its answer is gone. */
   forget(): void {
     this.asked = "";
-    ++this.forgotten;
+    this.mapped.answers.explored.drop();
   }
 
   private async explore(samples: number): Promise<void> {
-    const {document, window, engine, engine_state, gesture} = this.mapped;
+    const {document, window, engine, engine_state, gesture, property, answers} = this.mapped;
     if (!engine || engine_state === "missing") return;
     const problem = engine_text(document.problem);
-    const {property} = this.mapped;
     const question = (order: number | null) => JSON.stringify([problem, window, property, order]);
     const asked = question(document.order);
     if (asked === this.asked && samples <= this.asked_samples) return this.refine();
     this.asked = asked;
     this.asked_samples = samples;
     this.watch_slowness();
-    const {forgotten} = this;
+    const order = gesture ? "nearest" : (document.order ?? "fresh"),
+      request = {problem, samples, window, property, order, ...this.hand.wanted} as const;
+    const of = {problem: document.problem}; // another one each time: one of more samples is another question
+    await answers.explored.ask(of, (signal) => this.answer(engine, request, document, signal), {
+      at_leisure: samples === fine_samples,
+      taken: (reply) => {
+        this.take(reply, document, samples, window);
+        if (this.asked !== asked) return;
+        this.asked = question(reply.task.axes.input.order);
+        this.refine();
+      },
+    });
+  }
+  /** Nothing where it is not wanted any more. */
+  private async answer(
+    engine: EngineClient,
+    request: Requests["explore"],
+    document: Document,
+    signal: AbortSignal,
+  ): Promise<Replies["explore"] | null> {
+    const {mapped, asked} = this;
     try {
-      const order = gesture ? "nearest" : (document.order ?? "fresh");
-      const reply = await engine.follow("explore", {problem, samples, window, property, order, ...this.hand.wanted});
+      const reply = await engine.follow("explore", request);
       this.calm();
-      if (samples === even_samples) this.weigh(reply.engine_ms);
-      if (this.forgotten !== forgotten) return; // a task that cannot be asked has stood between: this is of before
-      this.take(reply, document, samples, window);
-      if (this.asked !== asked) return;
-      this.asked = question(reply.task.axes.input.order);
-      this.refine();
+      if (request.samples === even_samples) this.weigh(reply.engine_ms);
+      const taken_back = mapped.answers.map_is_of_present && !same_question(document.problem, mapped.problem); // a drag
+      return mapped.incomplete || taken_back ? null : reply;
     } catch (error) {
-      if (error instanceof Superseded) return;
+      if (error instanceof Superseded) throw error;
       this.calm();
-      this.not_explored(error, document, asked);
+      if (!signal.aborted) this.not_explored(error, document, asked);
+      throw error;
     }
   }
   private weigh(map_ms: number): void {
@@ -136,14 +150,11 @@ export class MapFollower {
   private take(reply: Replies["explore"], document: Document, samples: number, window: Window): void {
     const {mapped} = this,
       {gesture, answers} = mapped;
-    if (mapped.incomplete) return; // positions were removed meanwhile
-    if (answers.map_is_of_present && !same_question(document.problem, mapped.problem)) return; // a drag was taken back meanwhile
-    answers.take_map(reply.task, reply.map, document.problem);
+    if (!reply.map) answers.forget_linkages();
     answers.yields = null;
     answers.engine_ms = reply.engine_ms;
     mapped.accept(document);
-    if (reply.map && window === whole && samples !== fine_samples)
-      answers.take_census(reply.map.census, document.problem);
+    if (reply.map && window === whole && samples !== fine_samples) answers.counted.put(document, reply.map.census);
     if (!gesture && !same_question(mapped.problem, document.problem)) return; // another map is on its way
     this.settle(reply.task.axes);
     this.hand.take(reply, document.problem);
@@ -156,9 +167,7 @@ export class MapFollower {
   }
   private not_explored(error: unknown, document: Document, asked: string): void {
     if (this.asked === asked) this.forget();
-    if (error instanceof Crashed) return; // the workbench asks again
-    if (!(error instanceof Refusal)) throw error;
-    if (this.mapped.refuse(document.problem, error.mistakes)) this.hand.follow();
+    if (error instanceof Refusal && this.mapped.refuse(document.problem, error.mistakes)) this.hand.follow();
   }
 
   // ---- at rest ------------------------------------------------------------------------------------------------
@@ -167,6 +176,7 @@ export class MapFollower {
     clearTimeout(this.fine_timer);
     if (this.mapped.gesture || this.fine) return;
     this.fine_timer = setTimeout(() => {
+      if (this.mapped.answers.explored.busy) return; // from its answer on: the fine map would supersede the one that counts
       this.fine = true;
       const {engine, problem} = this.mapped;
       if (this.wants_yields) return engine && void this.yields.follow(engine, engine_text(problem));
@@ -187,31 +197,29 @@ export class MapFollower {
       ?.follow("explore", {problem: engine_text(problem), samples: even_samples, window, property, order})
       .catch(() => null);
     if (!reply?.map || this.asked !== asked || mapped.problem !== problem) return false;
-    answers.take_map(reply.task, reply.map, problem);
+    answers.explored.put({problem}, reply);
     answers.yields = progress;
-    if (window === whole) answers.take_census(reply.map.census, problem);
+    if (window === whole) answers.counted.put({problem}, reply.map.census);
     return true;
   }
   /** Zoomed in, the counts are still of the whole region. */
   private async count_whole(): Promise<void> {
-    const {mapped} = this,
-      {problem, order} = mapped.document;
-    this.counting.abort();
-    this.counting = new AbortController();
-    const reply = await mapped.driver_client
-      ?.run(
-        {
-          kind: "explore",
-          problem: engine_text(problem),
-          samples: even_samples,
-          window: whole,
-          property: "min_transmission_angle_deg",
-          order: order ?? "fresh",
-        },
-        this.counting,
-      )
-      .catch(() => null);
-    if (reply?.map && mapped.problem === problem) mapped.answers.take_census(reply.map.census, problem);
+    const {
+      document: {problem, order},
+      driver_client,
+      answers,
+    } = this.mapped;
+    if (!driver_client) return;
+    const request = {
+      kind: "explore",
+      problem: engine_text(problem),
+      samples: even_samples,
+      window: whole,
+      property: "min_transmission_angle_deg",
+      order: order ?? "fresh",
+    } as const;
+    const census = async (signal: AbortSignal) => (await driver_client.run(request, {signal})).map?.census ?? null;
+    await answers.counted.ask({problem}, census, {at_leisure: true});
   }
 
   // ---- slowness -----------------------------------------------------------------------------------------------

@@ -60,6 +60,6 @@ export class ToleranceStudy {
     if (!driver_client || question.is_of(of)) return question.drop();
     const asked = {problem: engine_text(problem), tau: hand.tau, bins, drawn},
       rest_ms = hovered ? Math.min(Math.max(question.took_ms, shortest_rest_ms), longest_rest_ms) : 0;
-    void question.ask(of, () => driver_client.follow("tolerance", asked), rest_ms);
+    void question.ask(of, () => driver_client.follow("tolerance", asked), {rest_ms});
   }
 }

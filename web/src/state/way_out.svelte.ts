@@ -64,11 +64,12 @@ export class WayOutSeeker {
     const {problem, answers, driver_client: client} = this.stuck;
     if (!client || this.question.is_of(problem) || this.question.is_asked(problem)) return;
     this.forget();
-    void this.question.ask(problem, async (signal) => {
+    const request = async (signal: AbortSignal) => {
       const found = await this.look(problem, {client, signal});
       if (found !== "none" && !signal.aborted) answers.halo = found.halo;
       return found;
-    });
+    };
+    void this.question.ask(problem, request, {at_leisure: true});
   }
   /** There is something left, or the user is at work himself. */
   forget(): void {

@@ -66,7 +66,7 @@ const search_patience = 10;
 export class Workbench extends Editing {
   readonly questions = new Questions();
   /** What the engine has said, each with the problem of which it said it. */
-  readonly answers = new Answers(() => ({problem: this.problem, tau: this.tau_in_hand}));
+  readonly answers = new Answers(this.questions, () => ({problem: this.problem, tau: this.tau_in_hand}));
   incomplete = $state.raw<Incomplete | null>(null);
   window = $state.raw<Window>(whole);
 
@@ -165,7 +165,7 @@ export class Workbench extends Editing {
     return this.answers.halo;
   }
   get improving(): boolean {
-    return this.answers.improving;
+    return this.seeker.improving;
   }
   get engine_ms(): number {
     return this.answers.engine_ms;
@@ -234,15 +234,16 @@ export class Workbench extends Editing {
   }
   /** What the page shows before the engine has answered: a stored answer for the document in force. */
   show_stored(task: TaskAnswer, map: MapAnswer | null, linkage: Linkage | null, live: Live | null = null): void {
-    this.answers.take_map(task, map, this.problem);
-    if (map) this.answers.take_census(map.census, this.problem);
+    const {answers, problem} = this;
+    answers.explored.put({problem}, {task, map, linkage, live: null, engine_ms: 0});
+    if (map) answers.counted.put({problem}, map.census);
     if (linkage && !this.picked) this.amend({picked: {tau: linkage.tau, place: this.place_of(linkage.tau)}});
     this.amend({order: task.axes.input.order});
     if (linkage) {
-      this.answers.take_hand(linkage, this.problem);
-      this.answers.take_picked(linkage, this.problem);
+      answers.take_hand(linkage, problem);
+      answers.take_picked(linkage, problem);
+      if (live) answers.along.put({problem, tau: linkage.tau}, live);
     }
-    this.answers.take_live(live);
   }
   /** Brings map, curves and the linkage in hand up to the document. */
   refresh(): void {

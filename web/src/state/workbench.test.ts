@@ -26,7 +26,7 @@ describe("the workbench", () => {
   it("starts with the best linkage of a task that came while the first one's was sought", async () => {
     const b = bench(tailgate),
       other = examples.find(({name}) => name === "log_generator")!.problem;
-    b.machine.best_ms = 1500; // later than any map
+    b.machine.late_ms.best = 1500; // later than any map
     await until(() => b.asked.some(({kind}) => kind === "best"));
     b.workbench.open(other);
     await settled(b);
@@ -37,7 +37,7 @@ describe("the workbench", () => {
   it("says that the best is sought from the moment a map is there until it is picked", async () => {
     const b = bench(tailgate),
       {workbench} = b;
-    b.machine.best_ms = 200;
+    b.machine.late_ms.best = 200;
     await until(() => workbench.is_current);
     expect([workbench.seeker.seeking, workbench.picked]).toEqual([true, null]);
     await until(() => !workbench.seeker.seeking);

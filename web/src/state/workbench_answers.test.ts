@@ -124,7 +124,7 @@ describe("the answers on the workbench", () => {
     const b = bench(tailgate),
       {workbench, machine} = b;
     await settled(b);
-    machine.linkage_ms = 400;
+    machine.late_ms.linkage = 400;
     workbench.pick([1.3125, 1.1125]);
     await until(() => b.asked.at(-1)!.kind === "linkage");
     workbench.edit((problem) => with_requirements(problem, {max_length: 1})); // τ stays as it is
@@ -257,6 +257,23 @@ describe("the answers on the workbench", () => {
     expect(counts().filter((count) => count > 0).length).toBeGreaterThan(20);
     workbench.cancel_gesture();
     await wide;
+  });
+
+  it("counts on the even map where that comes later than the fine one is wanted", async () => {
+    const b = bench(tailgate),
+      {workbench, machine} = b;
+    await settled(b);
+    machine.map_ms = 200; // coarse maps in a drag from now on
+    workbench.begin_gesture();
+    workbench.drag((problem) => with_pose(problem, 2, {x: -219}));
+    await until(() => workbench.is_current);
+    machine.late_ms.explore = 1200;
+    workbench.drag((problem) => with_pose(problem, 2, {x: -218})); // a coarse one, and while that is on its way:
+    await until(() => (b.asked.at(-1) as {samples?: number}).samples === 100);
+    await new Promise((resolve) => setTimeout(resolve, 650)); // the drag rests and wants its even one, which waits
+    workbench.end_gesture();
+    await until(() => workbench.map!.samples === 1000 && workbench.is_current);
+    expect(workbench.census!.pairs).toBeGreaterThan(100 ** 2);
   });
 
   it("draws coarser maps in a drag when three in a row were slow or one very slow, and tries again", async () => {

@@ -1,9 +1,8 @@
 // For tests: the one state with the real engine behind it, in this thread.
 import {afterEach, beforeAll} from "vitest";
 import {load_module} from "../engine/node";
-import type {ReplyMessage, RequestMessage} from "../engine/protocol";
+import type {Kind, ReplyMessage, RequestMessage} from "../engine/protocol";
 import {Engine} from "../engine/serve";
-import {fine_samples} from "./map_follower";
 import {preferences} from "./preferences.svelte";
 import type {Problem} from "./problem";
 import {Workbench} from "./workbench.svelte";
@@ -13,14 +12,11 @@ let servers: (() => Engine)[];
 /** What the engine says a map took; null: the truth. */
 interface Machine {
   map_ms: number | null;
-  /** How much later the best linkages come, and those that are asked for alone. */
-  best_ms: number;
-  linkage_ms: number;
+  /** How much later what is asked for comes. */
+  late_ms: {[K in Kind]?: number};
   /** It does not answer. */
   mute: boolean;
 }
-/** Maps, but for the fine one. */
-const awaited = new Set<RequestMessage>();
 /** Answers a little later, as a worker does. */
 class Thread {
   onmessage: ((event: MessageEvent<ReplyMessage>) => void) | null = null;
@@ -35,14 +31,9 @@ class Thread {
   postMessage(message: RequestMessage): void {
     this.asked.push(message);
     if (this.machine.mute) return;
-    if (message.kind === "explore" && message.samples !== fine_samples) awaited.add(message);
-    setTimeout(
-      () => {
-        if (!this.dead) this.say(this.slowed(this.server.serve(message).message));
-        awaited.delete(message);
-      },
-      message.kind === "best" ? this.machine.best_ms : message.kind === "linkage" ? this.machine.linkage_ms : 0,
-    );
+    setTimeout(() => {
+      if (!this.dead) this.say(this.slowed(this.server.serve(message).message));
+    }, this.machine.late_ms[message.kind] ?? 0);
   }
   private slowed(reply: ReplyMessage): ReplyMessage {
     type Timed = {engine_ms?: number; live?: Timed | null};
@@ -81,7 +72,7 @@ export interface Bench {
 export function bench(problem: Problem, cores = 2): Bench {
   const now = {time: 0},
     asked: RequestMessage[] = [],
-    machine: Machine = {map_ms: null, best_ms: 0, linkage_ms: 0, mute: false};
+    machine: Machine = {map_ms: null, late_ms: {}, mute: false};
   const workbench = new Workbench(problem, () => now.time);
   open.push(workbench);
   let started = 0;
@@ -95,18 +86,16 @@ export async function until(what: () => unknown, ms = 20_000): Promise<void> {
     await new Promise((resolve) => setTimeout(resolve, 2));
   }
 }
-/** Until nothing more will come by itself but the fine map: what a drag has asked for may come after its end. */
-export async function settled({workbench, asked}: Bench): Promise<void> {
-  const is_settled = () =>
-    !asked.some((message) => awaited.has(message)) &&
-    workbench.is_current &&
-    workbench.picked !== null &&
-    workbench.hand !== null &&
-    workbench.picked_linkage?.tau.join() === workbench.picked.tau.join();
-  do {
-    await until(is_settled);
-    await new Promise((resolve) => setTimeout(resolve, 60));
-  } while (!is_settled());
+/** Until nothing more will come by itself but what is finer. */
+export async function settled({workbench}: Bench): Promise<void> {
+  await until(
+    () =>
+      workbench.questions.settled() &&
+      workbench.is_current &&
+      workbench.picked !== null &&
+      workbench.hand !== null &&
+      workbench.picked_linkage?.tau.join() === workbench.picked.tau.join(),
+  );
 }
 export const digest = ({workbench}: Bench) =>
   JSON.stringify([workbench.document, workbench.picked_linkage, workbench.task!.axes.input]);

@@ -26,15 +26,16 @@ export class YieldSampler {
   }
   /** Of the map that the engine has explored last, for this problem. */
   async follow(engine: EngineClient, problem: string): Promise<void> {
-    await this.question.ask({}, async (signal) => {
-      for (let cells = first_cells; ;) {
-        const start = performance.now(),
-          progress = await engine.run({kind: "yields", problem, cells}, {signal});
-        const took_ms = performance.now() - start,
-          goes_on = await this.show(progress);
-        if (!goes_on || signal.aborted || progress.done >= progress.total) return progress;
-        cells = Math.ceil(Math.min(Math.max((cells * step_ms) / Math.max(took_ms, 1), first_cells), most_cells));
-      }
-    });
+    await this.question.ask({}, (signal) => this.sample(engine, problem, signal), {at_leisure: true});
+  }
+  private async sample(engine: EngineClient, problem: string, signal: AbortSignal): Promise<YieldProgress> {
+    for (let cells = first_cells; ;) {
+      const start = performance.now(),
+        progress = await engine.run({kind: "yields", problem, cells}, {signal});
+      const took_ms = performance.now() - start,
+        goes_on = await this.show(progress);
+      if (!goes_on || signal.aborted || progress.done >= progress.total) return progress;
+      cells = Math.ceil(Math.min(Math.max((cells * step_ms) / Math.max(took_ms, 1), first_cells), most_cells));
+    }
   }
 }
