@@ -154,7 +154,8 @@ export async function until_at_rest(page: Page): Promise<void> {
 /** The map on screen is that of the problem as it is. */
 export async function until_mapped(page: Page): Promise<void> {
   await page.waitForFunction(() => {
-    const {workbench, painted_map} = globalThis.__linkwright!;
+    if (!globalThis.__linkwright) return false; // a page that begins waits for what it needs first
+    const {workbench, painted_map} = globalThis.__linkwright;
     return workbench.is_current && workbench.census !== null && painted_map() === workbench.map;
   });
 }

@@ -129,6 +129,7 @@ test("a position follows the mouse, and the answer follows the position", async 
 
 test("the work is there after a reload", async () => {
   const pose = await state(({workbench}) => workbench.problem.task.poses[1]);
+  await page.waitForNetworkIdle({idleTime: 1500, ...patience}); // a page that goes complains of what it was still fetching
   await page.reload();
   await until_ready();
   await until_settled();
@@ -162,8 +163,12 @@ for (const kind of ["mp4", "webm"])
       await page.$(row),
     );
     if (await page.$eval(row, (button) => button.disabled)) return context.diagnostic("not offered");
-    await page.click(testid("export.film_size.480"));
-    await page.click(testid("export.film_rate.24"));
+    for (const choice of ["export.film_size.480", "export.film_rate.24"]) {
+      const button = await page.waitForSelector(testid(choice), patience);
+      await button.evaluate((element) => element.scrollIntoView({block: "center"})); // the status line lies over the end
+      await button.click();
+      await page.waitForSelector(`${testid(choice)}[aria-pressed="true"]`, patience);
+    }
     const {bytes} = await exported(kind),
       input = new Input({source: new BufferSource(new Uint8Array(bytes)), formats: ALL_FORMATS}),
       track = await input.getPrimaryVideoTrack();
