@@ -1,10 +1,9 @@
 // The program `linkwright`: reads files, calls the library, prints for people or writes files; serves the workbench.
 
-#include <fmt/format.h>
-
 #include <CLI/CLI.hpp>
 #include <csignal>
 #include <cstdio>
+#include <fmt/format.h>
 #include <string>
 
 #include "attitude_flags.hpp"
