@@ -422,6 +422,16 @@ test("a dialog that cannot be loaded says so, and is there as soon as it can", a
   await expect(page.getByTestId("export.dxf")).toBeVisible();
   complaints.expect_and_forget(/ExportDialog|ERR_FAILED|Failed to fetch/);
 });
+test("a plot that cannot be loaded says so, and is there as soon as it can", async ({page, complaints}) => {
+  const chart = /\/chart-[^/]*\.js$/;
+  await page.route(chart, (route) => route.abort());
+  await open_workbench(page);
+  await expect(page.getByTestId("failed.drive.title")).toBeVisible();
+  await page.unroute(chart);
+  await page.getByTestId("failed.again").click();
+  await expect(page.getByTestId("plot.title").locator("canvas")).toBeVisible();
+  complaints.expect_and_forget(/chart-|ERR_FAILED|Failed to fetch/);
+});
 test("a sphere that cannot be loaded says so, and is there as soon as it can", async ({page, complaints}) => {
   await open_settled(page);
   await page.route(/SphereStage.*\.js$/, (route) => route.abort());

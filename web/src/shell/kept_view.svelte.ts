@@ -1,5 +1,5 @@
 // What was last on screen, kept beside the work: who comes back sees his map before the engine is there. It is shown of the
-// very question that it answers, and if the engine is still the same.
+// very question that it answers, by the very build of page and engine that kept it.
 import {createStore, get, set} from "idb-keyval";
 import {untrack} from "svelte";
 import {code_urls} from "../engine/code";
@@ -10,14 +10,15 @@ import {engine_text} from "../state/problem";
 import type {Workbench} from "../state/workbench.svelte";
 
 export interface KeptView extends StoredView {
-  engine: string;
+  build: string;
   question: string;
 }
 const name = "last",
   most_samples = 250,
   rest_ms = 1000,
   patience_ms = 300; // the engine is there soon after
-const this_engine = code_urls.first.pathname; // its name tells its contents
+const this_build = [import.meta.url, code_urls.first, code_urls.rest].join(" "); // their names tell their contents
+const store = () => createStore("linkwright_view", "view");
 
 /** What is on screen, if it is all of the present and can be shown again as it is. */
 export function view_of(workbench: Workbench): KeptView | null {
@@ -25,21 +26,21 @@ export function view_of(workbench: Workbench): KeptView | null {
   if (gesture || window !== whole || !map || !task || !census || !linkage) return null;
   if (!answers.map_is_of_present || !answers.picked_is_of(problem) || !same_tau(linkage.tau, picked?.tau)) return null;
   const thin = {...thinned(map, most_samples), census};
-  return {engine: this_engine, question: engine_text(problem), task, map: thin, linkage, live};
+  return {build: this_build, question: engine_text(problem), task, map: thin, linkage, live};
 }
 /** Of this document, or null. */
 export function view_for({problem, picked}: Workbench, kept: KeptView | null): StoredView | null {
-  if (kept?.engine !== this_engine || kept.question !== engine_text(problem)) return null;
+  if (kept?.build !== this_build || kept.question !== engine_text(problem)) return null;
   return same_tau(kept.linkage.tau, picked?.tau) ? {...kept, map: {...kept.map, window: whole}} : null;
 }
 
 /** Where there is no database, or no room in it, the next visit begins with the frame alone. */
 export async function keep_view(view: KeptView): Promise<void> {
-  await set(name, view, createStore("linkwright_view", "view")).catch(() => {});
+  await set(name, view, store()).catch(() => {});
 }
 export async function read_view(): Promise<KeptView | null> {
   const never = new Promise<undefined>((resolve) => setTimeout(resolve, patience_ms));
-  const read = async () => get<KeptView>(name, createStore("linkwright_view", "view")).catch(() => undefined);
+  const read = async () => get<KeptView>(name, store()).catch(() => undefined);
   return (await Promise.race([read(), never])) ?? null;
 }
 /** To be called where the page begins. */

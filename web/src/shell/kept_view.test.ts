@@ -34,7 +34,7 @@ it("is shown of nothing else", async () => {
   const kept = view_of(shown)!,
     other = new Workbench(with_pose_moved(first_example.problem, 1, [1, 0]));
   expect(view_for(other, kept)).toBeNull();
-  expect(view_for(next_visit(), {...kept, engine: "/another.wasm"})).toBeNull();
+  expect(view_for(next_visit(), {...kept, build: "another"})).toBeNull();
   expect(view_for(next_visit(), {...kept, linkage: {...kept.linkage, tau: [0.1, 0.2]}})).toBeNull();
   expect(view_for(next_visit(), null)).toBeNull();
 });
