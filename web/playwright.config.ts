@@ -22,8 +22,8 @@ export default defineConfig({
   // Browsers on a busy machine: what passes the second time is reported as flaky.
   retries: 1,
   // Against hanging alone: ten times what the slowest took on a busy machine.
-  timeout: 600_000,
-  expect: {timeout: 100_000},
+  timeout: 180_000,
+  expect: {timeout: 60_000},
   reporter: [["list"]],
   use: {
     baseURL: `http://127.0.0.1:${port}/`,

@@ -355,8 +355,9 @@ test("a link to this computer says so and offers the file; the print has none", 
   await expect(toasts(page)).toContainText("nobody else can reach 127.0.0.1");
   const [download] = await Promise.all([page.waitForEvent("download"), page.getByTestId("toast.file.save").click()]);
   expect(download.suggestedFilename()).toMatch(/\.json$/);
-  await page.evaluate(() => dispatchEvent(new Event("beforeprint")));
   const sheet = page.getByTestId("export.sheet");
+  await expect(sheet).toBeAttached(); // the page is at rest
+  await page.evaluate(() => dispatchEvent(new Event("beforeprint")));
   await expect(sheet).toContainText("No link is printed");
   await expect(sheet.getByTestId("print.stand_in").locator("svg")).toHaveCount(1); // printed by the browser's own menu
   await page.evaluate(() => dispatchEvent(new Event("afterprint")));
