@@ -51,7 +51,8 @@ export default tseslint.config(
   {files: ["scripts/*.mjs", "npm/**/*.mjs", "*.js"], languageOptions: {globals: globals.node}},
   {files: ["firefox/*.mjs", "npm/*.test.mjs"], languageOptions: {globals: {...globals.node, ...globals.browser}}}, // parts run in the page
 
-  layer(["src/engine/**"], "^\\.\\./(?!texts/)", "The engine's messages, client and worker know nothing of the page."),
+  layer(["src/contract/**"], "^\\.\\./", "What page and engine say to each other knows neither."),
+  layer(["src/engine/**"], "^\\.\\./(?!texts/|contract/)", "The engine's client and worker know nothing of the page."),
   layer(["src/questions/**"], "^\\.\\./(?!engine/)", "Questions know of nothing but the engine's client."),
   layer(
     ["src/fields/**"],
@@ -60,7 +61,7 @@ export default tseslint.config(
   ),
   layer(
     ["src/texts/*.svelte.ts", "src/texts/numbers.ts"],
-    "/(?!state/preferences|engine/protocol)[a-z_]+/",
+    "/(?!state/preferences|contract/messages)[a-z_]+/",
     "Words know of nothing but their language.",
   ),
   layer(

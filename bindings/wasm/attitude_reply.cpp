@@ -9,7 +9,7 @@
 #include "linkwright/files/number_text.hpp"
 #include "linkwright/files/orientation_file.hpp"
 #include "replies.hpp"
-#include "reply_json.hpp"
+#include "reply_fields.hpp"
 
 namespace linkwright::wasm {
 namespace {
@@ -198,7 +198,7 @@ Result<Json> answered(std::string_view of, const Json& request) {
 
 std::string attitude_reply(std::string_view of, std::string_view text) {
   const auto reply = answered(of, Json::parse(text));
-  return reply ? reply->dump() : R"({"mistakes": )" + mistakes_json(on_page(reply.errors())) + "}";
+  return reply ? reply->dump() : refusal_json(on_page(reply.errors()));
 }
 
 }  // namespace linkwright::wasm

@@ -1,39 +1,29 @@
 #include <algorithm>
-#include <array>
 #include <cmath>
 
-#include "files/fields/field_writer.hpp"
-#include "files/problem_fields.hpp"
+#include "linkwright/core/angle.hpp"
 #include "linkwright/planar/chain_family.hpp"
 #include "replies.hpp"
-#include "reply_json.hpp"
+#include "reply_fields.hpp"
 
 namespace linkwright::wasm {
 namespace {
 
-using Layout = JsonWriter::Layout;
+RankedLinkage ranked(const FourBarAnswer& answer, const FourBarSolution& found) { return {answer.point_of(found)}; }
 
-void write_place(JsonWriter& json, MapPoint place) {
-  json.key("tau");
-  write_numbers(json, std::array{place.input, place.output});
-}
-
-void write_where(JsonWriter& json, const FourBarAnswer& answer, const FourBarSolution& found) {
-  write_place(json, answer.point_of(found));
-}
-
-void write_where(JsonWriter& json, const SphericalAnswer& answer, const SphericalSolution& found) {
-  write_place(json, answer.point_of(found));
-  write_of_linkage(json, found.angles);
+RankedLinkage ranked(const SphericalAnswer& answer, const SphericalSolution& found) {
+  RankedLinkage ranked{answer.point_of(found)};
+  ranked.min_link_angle_deg = degrees(found.angles.shortest());
+  return ranked;
 }
 
 // With their chains: of a search each has one of its own.
-void write_where(JsonWriter& json, const SixBarAnswer& answer, const SixBarSolution& found) {
+RankedLinkage ranked(const SixBarAnswer& answer, const SixBarSolution& found) {
   SixBarTask task = answer.task;
   task.chain = found.chain;
-  write_place(json, ChainFamily::of(task)->point_of(found.member));
-  json.key("chain");
-  write_fields(json, found.chain);
+  RankedLinkage ranked{ChainFamily::of(task)->point_of(found.member)};
+  ranked.chain = found.chain;
+  return ranked;
 }
 
 // The map of a linkage's own case, which is wide enough for it.
@@ -50,60 +40,48 @@ std::optional<MapWindow> own_window(const StraightLineSolution& found, const Str
   return window;
 }
 
-void write_where(JsonWriter& json, const StraightLineAnswer& answer, const StraightLineSolution& found) {
+RankedLinkage ranked(const StraightLineAnswer& answer, const StraightLineSolution& found) {
   const LineMeasuring& measuring = answer.options.line;
   const auto window = answer.search ? own_window(found, StraightLineFamily(found.task, measuring)) : std::nullopt;
   const auto place =
       answer.search ? StraightLineFamily(found.task, measuring, window).point_of(found.place) : answer.point_of(found);
-  write_place(json, place.value_or(MapPoint{}));
-  json.member("deviation", found.worth().deviation);  // null where the point does not go as far as the stroke
-  json.key("window");
-  if (!window) return json.null();
-  json.begin_list(Layout::one_line);
-  write_numbers(json, window->input);
-  write_numbers(json, window->output);
-  json.end_list();
+  RankedLinkage ranked{place.value_or(MapPoint{})};
+  ranked.deviation = found.worth().deviation;
+  ranked.window = window;
+  return ranked;
 }
 
-void write_best(JsonWriter& json, const Problem& problem, const Answer& answer) {
+std::vector<RankedLinkage> all_ranked(const Problem& problem, const Answer& answer) {
   const auto records = stored_linkages(problem, answer);
+  std::vector<RankedLinkage> all;
   std::visit(
       [&](const auto& of_kind) {
         for (std::size_t i = 0; i < records.size(); ++i) {
-          json.begin_object();
-          write_where(json, of_kind, of_kind.linkages[i]);
-          json.key("record");
-          json.json(std::visit([](const auto& stored) { return stored.record; }, records[i]));
-          json.end_object();
+          all.push_back(ranked(of_kind, of_kind.linkages[i]));
+          all.back().record = std::visit([](const auto& stored) { return stored.record; }, records[i]);
         }
       },
       answer);
+  return all;
 }
 
 // Why the list is empty, and what was not known of the task before.
-void write_notices(JsonWriter& json, const Findings& found, const std::vector<Notice>& known) {
-  for (const Notice& warning : found.warnings)
+std::vector<WordedNotice> notices_on(const Answer& answer, const std::vector<Notice>& known) {
+  std::vector<WordedNotice> notices;
+  if (linkage_count(answer) == 0) notices.push_back({findings(answer).reason});
+  for (const Notice& warning : findings(answer).warnings)
     if (std::none_of(known.begin(), known.end(), [&](const Notice& notice) { return notice.code == warning.code; }))
-      write_notice(json, warning);
+      notices.push_back({warning});
+  return notices;
 }
 
 }  // namespace
 
 std::string best_reply(const Session& session, int most) {
   const auto answer = session.best(most);
-  return json_text_of([&](JsonWriter& json) {
-    json.begin_object();
-    json.key("linkages");
-    json.begin_list();
-    if (answer) write_best(json, session.problem(), *answer);
-    json.end_list();
-    json.key("notices");
-    json.begin_list();
-    if (answer && linkage_count(*answer) == 0) write_notice(json, findings(*answer).reason);
-    if (answer) write_notices(json, findings(*answer), findings(session.known()).warnings);
-    json.end_list();
-    json.end_object();
-  });
+  if (!answer) return text_of(BestReply{});
+  return text_of(
+      BestReply{all_ranked(session.problem(), *answer), notices_on(*answer, findings(session.known()).warnings)});
 }
 
 }  // namespace linkwright::wasm

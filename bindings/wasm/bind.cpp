@@ -1,6 +1,6 @@
 #include <emscripten/bind.h>
 
-#include "reply_json.hpp"
+#include "reply_fields.hpp"
 #include "session.hpp"
 
 // The session as a JavaScript class. Arrays are views into the engine's memory: to be copied before the next call.

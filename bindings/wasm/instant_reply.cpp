@@ -1,10 +1,10 @@
 #include "drawing/curve_path.hpp"
-#include "files/fields/field_writer.hpp"
+#include "files/fields/result_forms.hpp"
 #include "files/instant_fields.hpp"
 #include "linkwright/files/linkage_file.hpp"
 #include "linkwright/infinitesimal/stationary_curvature.hpp"
 #include "replies.hpp"
-#include "reply_json.hpp"
+#include "reply_fields.hpp"
 
 namespace linkwright::wasm {
 namespace {
@@ -18,32 +18,34 @@ PlaneWindow around(const FourBar& bars) {
   return {{0, 0, pixels, pixels}, corners, 0};
 }
 
-void write_curve(JsonWriter& json, std::string_view key, const StationaryCurve& curve, const PlaneWindow& window) {
-  json.key(key);
-  json.begin_list();
+std::vector<std::vector<Point>> polylines(const StationaryCurve& curve, const PlaneWindow& window) {
+  std::vector<std::vector<Point>> lines;
   for (const auto& piece : curve.pieces)
-    for (const auto& path : visible_curve(piece, window))
-      write_points(json, path, [&](Point px) { return std::optional(window.to_user(px)); });
-  json.end_list();
+    for (const auto& path : visible_curve(piece, window)) {
+      auto& line = lines.emplace_back();
+      for (const Point px : path) line.push_back(window.to_user(px));
+    }
+  return lines;
 }
 
 }  // namespace
 
 std::string instant_reply(std::string_view text) {
   const auto linkage = read_linkage(text);
-  if (!linkage) return R"({"mistakes": )" + mistakes_json(linkage.errors()) + "}";
+  if (!linkage) return refusal_json(linkage.errors());
   const FourBar& bars = linkage->four_bar;
   const InstantAnalysis analysis = analyze_instant(bars, {});
   return json_text_of([&](JsonWriter& json) {
-    json.begin_object();
-    json.key("instant");
-    write_fields(json, analysis);
-    if (analysis.instant) {
-      const PlaneWindow window = around(bars);
-      write_curve(json, "circling_points", circling_point_curve(*analysis.instant), window);
-      write_curve(json, "centering_points", centering_point_curve(*analysis.instant), window);
-    }
-    json.end_object();
+    write_reply(json, [&](FieldVisitor& v) {
+      v.object({}, [&](FieldVisitor& to) {
+        to.shown("instant", analysis);
+        if (!analysis.instant) return;
+        const PlaneWindow window = around(bars);
+        for (const auto& [key, curve] : {std::pair("circling_points", circling_point_curve(*analysis.instant)),
+                                         std::pair("centering_points", centering_point_curve(*analysis.instant))})
+          to.shown(key, polylines(curve, window), forms::on_a_line, forms::on_a_line, forms::shown_point);
+      });
+    });
   });
 }
 

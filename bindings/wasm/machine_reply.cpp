@@ -1,13 +1,12 @@
 #include <algorithm>
+#include <tuple>
 
 #include "linkwright/core/angle.hpp"
 #include "replies.hpp"
-#include "reply_json.hpp"
+#include "reply_fields.hpp"
 
 namespace linkwright::wasm {
 namespace {
-
-using Layout = JsonWriter::Layout;
 
 /// The driver's angles as the page counts them.
 class DriverAngles {
@@ -30,60 +29,28 @@ class DriverAngles {
   double sense_ = 1, shift_ = 0;
 };
 
-void write_sizes(JsonWriter& json, const PlateSizes& sizes) {
-  json.key("sizes");
-  json.begin_object(Layout::one_line);
-  json.member("width", sizes.width);
-  json.member("thickness", sizes.thickness);
-  json.member("gap", sizes.gap);
-  json.member("pin", sizes.pin);
-  json.member("clearance", sizes.clearance);
-  json.member("radius", sizes.radius);
-  json.end_object();
-}
-
-void write_layers(JsonWriter& json, const Machine& made) {
-  json.key("layers");
-  json.begin_list(Layout::one_line);
-  for (std::size_t body = 0; body < made.layers.layer.size(); ++body) {
-    json.begin_list(Layout::one_line);
-    json.value(std::string_view(made.linkage.bodies[body]));
-    json.value(made.layers.layer[body]);
-    json.end_list();
-  }
-  json.end_list();
-}
-
-void write_crossing(JsonWriter& json, const MovingLinkage& linkage, const Crossing& crossing,
-                    const DriverAngles& angles) {
-  json.begin_object(Layout::one_line);
-  json.member("body", std::string_view(linkage.bodies[static_cast<std::size_t>(crossing.body)]));
+CrossingReply crossing_reply(const MovingLinkage& linkage, const Crossing& crossing, const DriverAngles& angles) {
+  CrossingReply reply{linkage.bodies[static_cast<std::size_t>(crossing.body)]};
   if (crossing.is_pin)
-    json.member("pin", std::string_view(linkage.hinges[crossing.obstacle].name));
+    reply.pin = linkage.hinges[crossing.obstacle].name;
   else
-    json.member("other", std::string_view(linkage.bodies[crossing.obstacle]));
-  const auto [from, to] = angles.range_deg(crossing);
-  json.member("from_deg", from);
-  json.member("to_deg", to);
-  json.end_object();
+    reply.other = linkage.bodies[crossing.obstacle];
+  std::tie(reply.from_deg, reply.to_deg) = angles.range_deg(crossing);
+  return reply;
 }
 
 }  // namespace
 
 std::string machine_reply(const Result<Machine>& made) {
-  if (!made) return R"({"mistakes": )" + mistakes_json(made.errors()) + "}";
-  return json_text_of([&](JsonWriter& json) {
-    json.begin_object();
-    write_sizes(json, made->sizes);
-    write_layers(json, *made);
-    json.member("over", made->layers.over == PlateLayers::Over::travel ? "travel" : "task");
-    json.key("crossings");
-    json.begin_list();
-    const DriverAngles angles(made->linkage);
-    for (const Crossing& crossing : made->layers.crossings) write_crossing(json, made->linkage, crossing, angles);
-    json.end_list();
-    json.end_object();
-  });
+  if (!made) return refusal_json(made.errors());
+  MachinePlan plan{made->sizes};
+  for (std::size_t body = 0; body < made->layers.layer.size(); ++body)
+    plan.layers.push_back({made->linkage.bodies[body], made->layers.layer[body]});
+  plan.over = made->layers.over;
+  const DriverAngles angles(made->linkage);
+  for (const Crossing& crossing : made->layers.crossings)
+    plan.crossings.push_back(crossing_reply(made->linkage, crossing, angles));
+  return text_of(plan);
 }
 
 }  // namespace linkwright::wasm

@@ -13,23 +13,13 @@
 #include "linkwright/mechanism/spherical_defects.hpp"
 #include "mechanism/spherical_travel.hpp"
 #include "replies.hpp"
-#include "reply_json.hpp"
+#include "reply_fields.hpp"
 
 namespace linkwright::wasm {
 namespace {
 
-void write_rates(JsonWriter& json, std::span<const char* const> bodies, const Travel& travel, int guided) {
-  json.key("rates");
-  json.begin_object();
-  json.key("bodies");
-  json.begin_list(JsonWriter::Layout::one_line);
-  for (const char* body : bodies) json.value(body);
-  json.end_list();
-  json.key("rows");
-  json.begin_list();
-  for (const auto& row : rates_of(travel, guided)) row ? write_numbers(json, *row) : json.null();
-  json.end_list();
-  json.end_object();
+RatesReply rates_reply(std::span<const char* const> bodies, const Travel& travel, int guided) {
+  return {{bodies.begin(), bodies.end()}, rates_of(travel, guided)};
 }
 
 constexpr std::array bodies_of_four_bars = {"input", "coupler", "output"};
@@ -81,8 +71,9 @@ LinkageReply reply_of(const StoredLinkage& linkage) {
   const std::string record = json_text_of([&](JsonWriter& json) {
     write_fields(json, FourBarRecord{shown, WorkingFrame(), {}});
   });
-  return linkage_reply(there, record,
-                       [&](JsonWriter& json) { write_rates(json, bodies_of_four_bars, there.travel, coupler); });
+  LinkageMore more;
+  more.rates = rates_reply(bodies_of_four_bars, there.travel, coupler);
+  return linkage_reply(there, record, std::move(more));
 }
 
 // ---- six-bars -----------------------------------------------------------------------------------------------------
@@ -117,10 +108,9 @@ LinkageReply reply_of(const StoredSixBar& linkage) {
   shown.rating = {shape_of(linkage.six_bar), report_of(linkage.six_bar, poses, motion, travel)};
   const PickedLinkage there = picked(std::move(travel), six_bar_defect(shown.rating.drive));
   const std::string record = json_text_of([&](JsonWriter& json) { write_fields(json, SixBarRecord{shown}); });
-  return linkage_reply(there, record, [&](JsonWriter& json) {
-    write_of_linkage(json, linkage.six_bar);
-    write_rates(json, bodies_of_six_bars, there.travel, SixBar::guided);
-  });
+  LinkageMore more = more_of(linkage.six_bar);
+  more.rates = rates_reply(bodies_of_six_bars, there.travel, SixBar::guided);
+  return linkage_reply(there, record, std::move(more));
 }
 
 // ---- about a centre -----------------------------------------------------------------------------------------------
@@ -143,10 +133,9 @@ LinkageReply reply_of(const StoredSphericalFourBar& linkage) {
                          report->min_transmission_angle_full_turn);
   const PickedLinkage there = picked(travel_of(analysis, orientations.size()), spherical_defect(shown.report));
   const std::string record = json_text_of([&](JsonWriter& json) { write_fields(json, SphericalRecord{shown, {}}); });
-  return linkage_reply(there, record, [&](JsonWriter& json) {
-    write_of_linkage(json, shown.angles);
-    write_rates(json, bodies_of_four_bars, there.travel, coupler);
-  });
+  LinkageMore more = more_of(shown.angles);
+  more.rates = rates_reply(bodies_of_four_bars, there.travel, coupler);
+  return linkage_reply(there, record, std::move(more));
 }
 
 Travel travel_of_stored(const StoredLinkage& linkage) {

@@ -1,25 +1,22 @@
 #pragma once
 
-#include <functional>
+#include <array>
 #include <optional>
 #include <string>
 #include <string_view>
 #include <vector>
 
-#include "files/json/json_writer.hpp"
 #include "linkwright/core/result.hpp"
 #include "linkwright/files/six_bar_file.hpp"
 #include "linkwright/machine/machine.hpp"
 #include "linkwright/solve/session.hpp"
+#include "reply_fields.hpp"
 
-// What the page gets, as JSON text and columns of numbers (web/src/engine/protocol.ts, web/src/engine/adapter.ts).
+// What the page gets, as JSON text and columns of numbers (web/src/contract, web/src/engine/adapter.ts).
 namespace linkwright::wasm {
 
 /// TaskAnswer without its arrays, after a map was asked for.
 [[nodiscard]] std::string task_reply(Session& session);
-/// Census.
-[[nodiscard]] std::string census_reply(const ColouredMap& map);
-
 /// A linkage, the object of the result file with what else the page shows of it, and its drive.
 struct LinkageReply {
   std::string linkage;  ///< JSON text; empty: the task has no map
@@ -28,15 +25,31 @@ struct LinkageReply {
   std::vector<double> states;
   std::string tolerance;  ///< JSON text; empty without tolerances and at a dead point
 };
-inline constexpr std::size_t state_width = 13, six_bar_state_width = state_width + 2 * SixBar::joint_count,
+/// What a state has whatever the kind of linkage: the driver's angle from position 1, in the sense of travel positive;
+/// the moving pivots of input and output; the pose of the moving frame; the angles of coupler and output from
+/// position 1; dψ/dφ, output by input, 0 at a dead point; output torque over input torque, |dφ/dψ|, 0 where unbounded.
+inline constexpr std::array state_columns = {"input_deg",
+                                             "ax",
+                                             "ay",
+                                             "bx",
+                                             "by",
+                                             "x",
+                                             "y",
+                                             "theta_deg",
+                                             "transmission_angle_deg",
+                                             "coupler_deg",
+                                             "output_deg",
+                                             "velocity_ratio",
+                                             "mechanical_advantage"};
+inline constexpr std::size_t state_width = state_columns.size(),
+                             six_bar_state_width = state_width + 2 * SixBar::joint_count,
                              spherical_state_width = state_width + 10;
 [[nodiscard]] LinkageReply linkage_reply(Session& session, MapPoint place);
-/// `record`: the object of the result file, empty for none. `write_more`: members of its own.
-[[nodiscard]] LinkageReply linkage_reply(const PickedLinkage& picked, std::string_view record,
-                                         const std::function<void(JsonWriter&)>& write_more);
-/// Members of the kind of linkage.
-void write_of_linkage(JsonWriter& json, const SixBar& six_bar);
-void write_of_linkage(JsonWriter& json, const LinkAngles& angles);
+/// `record`: the object of the result file, empty for none.
+[[nodiscard]] LinkageReply linkage_reply(const PickedLinkage& picked, std::string record, LinkageMore more);
+/// What a kind of linkage has.
+[[nodiscard]] LinkageMore more_of(const SixBar& six_bar);
+[[nodiscard]] LinkageMore more_of(const LinkAngles& angles);
 
 /// The best of the usual map, and what its list is to be read with.
 [[nodiscard]] std::string best_reply(const Session& session, int most);

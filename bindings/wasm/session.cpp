@@ -32,7 +32,7 @@ std::string PageSession::read(std::string_view text) {
   const auto problem = read_problem(text);
   if (!note_mistakes(problem)) return "";
   if (const auto notice = points_notice(points_of(problem->task)))
-    notices_ = "[" + json_text_of([&](JsonWriter& json) { write_notice(json, *notice); }) + "]";
+    notices_ = "[" + text_of(WordedNotice{*notice}) + "]";
   return write_problem(*problem);
 }
 
@@ -40,7 +40,7 @@ ExploreReply PageSession::explore(const MapRequest& request) {
   Session& session = asked();
   ExploreReply reply;
   reply.map = session.explore(request);
-  if (reply.map) reply.census = census_reply(*reply.map);
+  if (reply.map) reply.census = text_of(CensusReply{*reply.map});
   reply.input_curves = &session.links(Side::input);
   if (!session.axes().symmetric) reply.output_curves = &session.links(Side::output);
   reply.task = task_reply(session);
@@ -57,25 +57,10 @@ std::vector<std::uint32_t> PageSession::halo(const HaloRequest& request) {
 
 std::string PageSession::improve(MapPoint place) {
   const auto better = asked().improved(place);
-  const MapPoint there = better.value_or(place);
-  return json_text_of([&](JsonWriter& json) {
-    json.begin_object();
-    json.key("tau");
-    write_numbers(json, std::array{there.input, there.output});
-    json.member("improved", better.has_value());
-    json.end_object();
-  });
+  return text_of(ImprovedReply{better.value_or(place), better.has_value()});
 }
 
-std::string PageSession::verify(MapPoint place) {
-  const Verification found = asked().verify(place);
-  return json_text_of([&](JsonWriter& json) {
-    json.begin_object();
-    json.member("verified", found.verified);
-    json.member("residual", found.residual);
-    json.end_object();
-  });
-}
+std::string PageSession::verify(MapPoint place) { return text_of(VerifiedReply{asked().verify(place)}); }
 
 ToleranceReply PageSession::tolerance(MapPoint place, int bins, int drawn) {
   const auto output = asked().output_at(place);
@@ -83,33 +68,20 @@ ToleranceReply PageSession::tolerance(MapPoint place, int bins, int drawn) {
                 : ToleranceReply{};
 }
 
-std::string PageSession::sample_yields(int cells) {
-  const SampledYields yields = asked().sample_yields(cells);
-  return json_text_of([&](JsonWriter& json) {
-    json.begin_object();
-    json.member("done", yields.done);
-    json.member("total", yields.total);
-    json.end_object();
-  });
-}
+std::string PageSession::sample_yields(int cells) { return text_of(YieldsReply{asked().sample_yields(cells)}); }
 
 std::string PageSession::front(std::string_view first, std::string_view second) {
   std::vector<Objective> named;
   for (const std::string_view wanted : {first, second})
     for (const Objective objective : linkages(asked().problem().task).objectives)
       if (name(objective) == wanted) named.push_back(objective);
-  std::vector<std::array<double, 4>> cells;
+  FrontReply reply;
   if (named.size() == 2)
     for (const ParetoCell& cell : asked().front(named[0], named[1]))
-      cells.push_back({static_cast<double>(cell.row), static_cast<double>(cell.column),
-                       readable_value(measure_of(named[0]), cell.values[0]),
-                       readable_value(measure_of(named[1]), cell.values[1])});
-  return json_text_of([&](JsonWriter& json) {
-    json.begin_object();
-    json.key("front");
-    write_rows(json, cells);
-    json.end_object();
-  });
+      reply.cells.push_back({static_cast<double>(cell.row), static_cast<double>(cell.column),
+                             readable_value(measure_of(named[0]), cell.values[0]),
+                             readable_value(measure_of(named[1]), cell.values[1])});
+  return text_of(reply);
 }
 
 std::vector<Point> PageSession::trace(MapPoint place, Point traced) {

@@ -12,7 +12,7 @@
 #include "linkwright/solve/halo.hpp"
 #include "linkwright/solve/session.hpp"
 #include "replies.hpp"
-#include "reply_json.hpp"
+#include "reply_fields.hpp"
 
 namespace linkwright::wasm {
 
@@ -26,7 +26,7 @@ struct ExploreReply {
 
 /// The engine of the page: reads its problems and words the answers of a Session. Where the task of a problem is a
 /// linkage (opened_linkage()) only read(), linkage(), trace(), exported() and the machine are to be asked, at any
-/// place. The requests of web/src/engine/protocol.ts, without the browser.
+/// place. The requests of web/src/contract/messages.ts, without the browser.
 class PageSession {
  public:
   /// Reads a problem file; false where it has mistakes, and then the last good problem stays.

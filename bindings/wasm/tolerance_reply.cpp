@@ -7,7 +7,7 @@
 #include "linkwright/core/angle.hpp"
 #include "linkwright/robust/tolerance_report.hpp"
 #include "replies.hpp"
-#include "reply_json.hpp"
+#include "reply_fields.hpp"
 #include "robust/sampled_positions.hpp"
 
 namespace linkwright::wasm {
@@ -15,34 +15,26 @@ namespace {
 
 constexpr int samples_at_a_glance = 2000, samples_of_a_histogram = 20'000;
 
-void write_counts_of(JsonWriter& json, const std::vector<double>& errors, double from, double to, int bins) {
+std::vector<std::int64_t> counts_of(const std::vector<double>& errors, double from, double to, int bins) {
   std::vector<std::int64_t> counts(static_cast<std::size_t>(bins));
   for (const double error : errors) {
     const double place = to > from ? (error - from) / (to - from) * bins : 0;
     ++counts[static_cast<std::size_t>(std::clamp(place, 0.0, bins - 1.0))];
   }
-  json.begin_list(JsonWriter::Layout::one_line);
-  for (const std::int64_t count : counts) json.value(count);
-  json.end_list();
+  return counts;
 }
 
 // One scale for all positions, from 0 or, of lines, as far to one side as to the other.
-void write_histograms(JsonWriter& json, const LinkageOutput& output, const Tolerances& tolerances, int bins) {
+Histograms histograms_of(const LinkageOutput& output, const Tolerances& tolerances, int bins) {
   const ErrorSamples samples =
       error_samples(output, tolerances, static_cast<std::size_t>(std::min(tolerances.samples, samples_of_a_histogram)));
   double most = 0;
   for (const auto& errors : samples.errors)
     for (const double error : errors) most = std::max(most, std::abs(error));
   const double unit = is_angle(output) ? degrees(1) : 1, from = is_line(output) ? -most : 0;
-  json.key("histograms");
-  json.begin_object();
-  json.member("from", unit * from);
-  json.member("to", unit * most);
-  json.key("counts");
-  json.begin_list();
-  for (const auto& errors : samples.errors) write_counts_of(json, errors, from, most, bins);
-  json.end_list();
-  json.end_object();
+  Histograms histograms{unit * from, unit * most, {}};
+  for (const auto& errors : samples.errors) histograms.counts.push_back(counts_of(errors, from, most, bins));
+  return histograms;
 }
 
 /// Of a straight line its ends and the middle; of others all positions.
@@ -86,15 +78,10 @@ std::vector<double> drawn_samples(const LinkageOutput& output, const Tolerances&
 ToleranceReply tolerance_reply(const LinkageOutput& output, const Tolerances& tolerances, int bins, int drawn) {
   const auto report = tolerance_report(output, tolerances);
   if (!report) return {};
+  const KeptVisit figures = [&](FieldVisitor& v) { linkwright::fields(v, ToleranceRecord{*report, tolerances.seed}); };
   ToleranceReply reply;
-  reply.report = json_text_of([&](JsonWriter& json) {
-    json.begin_object();
-    json.key("tolerance");
-    write_fields(json, ToleranceRecord{*report, tolerances.seed});
-    write_histograms(json, output, tolerances, bins);
-    json.member("positions", static_cast<std::int64_t>(positions_of(drawn_positions(output))));
-    json.end_object();
-  });
+  reply.report = text_of(ToleranceFigures{figures, histograms_of(output, tolerances, bins),
+                                          static_cast<std::int64_t>(positions_of(drawn_positions(output)))});
   reply.drawn = drawn_samples(output, tolerances, drawn);
   return reply;
 }

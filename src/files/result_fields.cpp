@@ -169,7 +169,7 @@ static void fields(FieldVisitor& v, const AxisRecord& axis) {
   });
 }
 
-static void fields(FieldVisitor& v, const InsideWindows& inside) {
+void fields(FieldVisitor& v, const InsideWindows& inside) {
   v.object({.name = "inside_windows"}, [&](FieldVisitor& to) {
     to.shown(Field("looked_at", "Linkages with all hinges inside."), inside.looked_at, forms::count);
     to.shown("meeting_requirements", inside.meeting, forms::count);
@@ -315,9 +315,27 @@ void front_field(FieldVisitor& v, const Answer& answer) {
 
 // ---- what would leave linkages --------------------------------------------------------------------------------------
 
-static void fields(FieldVisitor& v, const Relaxation& relaxation) {
+namespace {
+
+/// As a problem file wants it: a number, a box or null.
+void visit_relaxed_value(FieldVisitor& v, const Relaxation& relaxation) {
+  Box box = relaxation.box.value_or(Box{});
+  double value = relaxation.value.value_or(0);
+  const Number number = {.is_angle = criterion(relaxation.requirement).is_angle()};
+  const std::array shapes = {Shape{JsonType::number, [&](FieldVisitor& to) { to.number(value, number); }},
+                             Shape{JsonType::object, [&](FieldVisitor& to) {
+                                     to.described_in("problem.schema.json#/$defs/box",
+                                                     [&](FieldVisitor& of) { fields(of, box); });
+                                   }}};
+  bool is_there = relaxation.box || relaxation.value;
+  v.null_or(is_there, [&](FieldVisitor& to) { to.shapes(relaxation.box ? 1 : 0, shapes, std::nullopt); });
+}
+
+}  // namespace
+
+void fields(FieldVisitor& v, const Relaxation& relaxation) {
   v.object({.name = "relaxation"}, [&](FieldVisitor& to) {
-    to.shown("requirement", std::string(key(relaxation.requirement)));
+    requirement_field(to, relaxation.requirement);
     to.shown("only_this", relaxation.only_this, forms::count);
     to.member(Field("value", "Of a box, the box made larger; null: drop it."), true,
               [&](FieldVisitor& at) { visit_relaxed_value(at, relaxation); });
@@ -391,23 +409,23 @@ void fields(FieldVisitor& v, const JointRelaxation& joint) {
   });
 }
 
-void visit_relaxed_value(FieldVisitor& v, const Relaxation& relaxation) {
-  Box box = relaxation.box.value_or(Box{});
-  double value = relaxation.value.value_or(0);
-  const Number number = {.is_angle = criterion(relaxation.requirement).is_angle()};
-  const std::array shapes = {Shape{JsonType::number, [&](FieldVisitor& to) { to.number(value, number); }},
-                             Shape{JsonType::object, [&](FieldVisitor& to) {
-                                     to.described_in("problem.schema.json#/$defs/box",
-                                                     [&](FieldVisitor& of) { fields(of, box); });
-                                   }}};
-  bool is_there = relaxation.box || relaxation.value;
-  v.null_or(is_there, [&](FieldVisitor& to) { to.shapes(relaxation.box ? 1 : 0, shapes, std::nullopt); });
+namespace {
+
+void visit_requirement(FieldVisitor& v, RequirementKind requirement) {
+  std::vector<std::string_view> keys;
+  for (const Criterion& each : criteria()) keys.push_back(each.key);
+  auto chosen = static_cast<std::size_t>(requirement);
+  v.named("requirement_key", [&](FieldVisitor& to) { to.name(chosen, keys); });
+}
+
+}  // namespace
+
+void requirement_field(FieldVisitor& v, RequirementKind requirement) {
+  v.member("requirement", true, [&](FieldVisitor& at) { visit_requirement(at, requirement); });
 }
 
 void visit_requirements(FieldVisitor& v, const List& list, const std::vector<RequirementKind>& kinds) {
-  std::vector<std::string> keys;
-  for (const RequirementKind kind : kinds) keys.emplace_back(key(kind));
-  visit(v, keys, list);
+  visit_each(v, list, kinds, visit_requirement);
 }
 
 void fields(FieldVisitor& v, const ResultRecord& of) {

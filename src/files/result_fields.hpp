@@ -19,9 +19,11 @@ void fields(FieldVisitor& v, const ResultRecord& of);
 
 void fields(FieldVisitor& v, const Notice& notice);
 void fields(FieldVisitor& v, const CurveBranch& branch);
+void fields(FieldVisitor& v, const InsideWindows& inside);
+void fields(FieldVisitor& v, const Relaxation& relaxation);
 void fields(FieldVisitor& v, const JointRelaxation& joint);
-/// As a problem file wants it: a number, a box or null.
-void visit_relaxed_value(FieldVisitor& v, const Relaxation& relaxation);
+/// The member `requirement`.
+void requirement_field(FieldVisitor& v, RequirementKind requirement);
 /// Keys of requirements.
 void visit_requirements(FieldVisitor& v, const List& list, const std::vector<RequirementKind>& kinds);
 

@@ -56,14 +56,14 @@ TEST(AnalysisSchema, HasNoDefinitionThatNothingRefersTo) {
 
 TEST(ProblemSchema, IsInTheTypesOfThePage) {
   expect_generated(
-      "/web/src/engine/problem.ts",
+      "/web/src/contract/problem.ts",
       "// What problem files hold: generated from the fields of the engine (docs/architecture.md), not written.\n" +
           typescript(problem_schema(), "Problem"));
 }
 
 TEST(ResultSchema, IsInTheTypesOfThePage) {
   expect_generated(
-      "/web/src/engine/result.ts",
+      "/web/src/contract/result.ts",
       "// What result files hold: generated from the fields of the engine (docs/architecture.md), not written.\n"
       "import type {Box, Chain, Orientation, Pose, Problem, StraightLineTask} from \"./problem\";\n\n" +
           typescript(result_schema(), "ResultFile"));

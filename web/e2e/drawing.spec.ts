@@ -1,6 +1,6 @@
 // The drawing by hand: walk-throughs 2, 3, 10, 11, 12 and the halo of 13, and what else can be taken hold of there.
 import type {Locator, Page} from "@playwright/test";
-import type {Point} from "../src/engine/protocol";
+import type {Point} from "../src/contract/messages";
 import {
   drag,
   example,

@@ -1,6 +1,6 @@
 // Three and five positions by hand: walk-through 20, and what is given beside three.
 import type {Page} from "@playwright/test";
-import type {Linkage, Point, TauPair} from "../src/engine/protocol";
+import type {Linkage, Point, TauPair} from "../src/contract/messages";
 import {places_of} from "../src/engine/axis";
 import type {Given, MotionTask} from "../src/tasks/motion/task";
 import {

@@ -1,7 +1,7 @@
 // The numbers of the linkage in hand, pins, and all panels at the sides.
 import {readFileSync} from "node:fs";
 import type {Page} from "@playwright/test";
-import type {TauPair} from "../src/engine/protocol";
+import type {TauPair} from "../src/contract/messages";
 import {
   example,
   expect,

@@ -1,6 +1,6 @@
 // The solution region by hand: walk-throughs 4, 5, 6, 9, 12 and 13.
 import type {Page} from "@playwright/test";
-import type {Linkage, TauPair} from "../src/engine/protocol";
+import type {Linkage, TauPair} from "../src/contract/messages";
 import {planar_types} from "../src/tasks/planar";
 import {place_of} from "../src/engine/axis";
 import {

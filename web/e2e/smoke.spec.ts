@@ -1,4 +1,4 @@
-import {linkage_types} from "../src/engine/protocol";
+import {linkage_types} from "../src/contract/messages";
 import {expect, expect_accessible, keep_screenshot, open_workbench, read_state, solve, test} from "./support";
 
 test("the page opens with the example solved", async ({page}) => {

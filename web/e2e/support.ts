@@ -6,7 +6,7 @@ import {createRequire} from "node:module";
 import {tmpdir} from "node:os";
 import {dirname, join, resolve} from "node:path";
 import {fileURLToPath} from "node:url";
-import type {TauPair} from "../src/engine/protocol";
+import type {TauPair} from "../src/contract/messages";
 import type {Pose} from "../src/state/task";
 import type {Workbench} from "../src/state/workbench.svelte";
 import type {MotionTask} from "../src/tasks/motion/task";

@@ -85,7 +85,7 @@ test.describe("on a wide screen", () => {
     await expect(page.getByTestId("region.card_tolerance")).toHaveText(
       /^[\d.]+ mm RMS, [\d.]+ mm at worst · yield [\d.]+\u00a0%$/,
     );
-    expect(await read_state(page, (workbench) => workbench.hand!.tau)).not.toEqual(tau);
+    await expect.poll(() => read_state(page, (workbench) => workbench.hand!.tau)).not.toEqual(tau);
     await page.mouse.move(5, 5);
 
     // What is required by yield leaves fewer, and goes with the limit.

@@ -1,4 +1,4 @@
-// The npm package, from the files that the page is built from: src/engine, and the types that kinds of tasks add to it.
+// The npm package, from the files that the page is built from: src/engine, src/contract, and the types that kinds of tasks add to it.
 // usage: node npm/pack.mjs FOLDER     writes FOLDER/linkwright-<version>.tgz
 import {execFileSync} from "node:child_process";
 import {copyFileSync, mkdirSync, readdirSync, readFileSync, rmSync, writeFileSync} from "node:fs";
@@ -46,7 +46,7 @@ function emit() {
   );
   const result = program.emit(undefined, (file, text) => {
     const path = relative(folder, file);
-    if (path.endsWith(".d.ts") || path.startsWith("engine/")) write(path, with_endings(text));
+    if (path.endsWith(".d.ts") || /^(engine|contract)\//.test(path)) write(path, with_endings(text));
   });
   const mistakes = [...ts.getPreEmitDiagnostics(program), ...result.diagnostics];
   if (mistakes.length === 0) return;

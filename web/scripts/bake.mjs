@@ -11,13 +11,12 @@ const start_name = "tailgate",
   start_samples = 200,
   census_samples = 400,
   thumbnail_samples = 64;
-const state_width = 13; // as in src/engine/protocol.ts
 const property = "min_transmission_angle_deg";
 const folders = ["../../examples/", "../src/gallery/"].map((path) => new URL(path, import.meta.url));
 const generated = new URL("../src/engine/generated/", import.meta.url);
 
 async function loaded(file) {
-  const path = fileURLToPath(new URL(`../src/engine/${file}`, import.meta.url));
+  const path = fileURLToPath(new URL(`../src/${file}`, import.meta.url));
   return (await runnerImport(path)).module;
 }
 async function loaded_engine() {
@@ -25,7 +24,7 @@ async function loaded_engine() {
     console.error("bake: the engine is not built: cmake --preset wasm && cmake --build --preset wasm");
     process.exit(1);
   }
-  const {load_module} = await loaded("node.ts");
+  const {load_module} = await loaded("engine/node.ts");
   return load_module();
 }
 
@@ -125,7 +124,8 @@ function thumbnail_of(session, problem) {
   return thumbnail;
 }
 
-const {linkage_of} = await loaded("adapter.ts");
+const {linkage_of} = await loaded("engine/adapter.ts"),
+  {state_width} = await loaded("contract/replies.ts");
 const engine = await loaded_engine();
 const session = new engine.Session();
 const all = problems();

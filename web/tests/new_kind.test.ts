@@ -2,7 +2,7 @@
 // and taken away, with its own stage and without a map.
 import type {Component} from "svelte";
 import {afterAll, beforeAll, describe, expect, it, vi} from "vitest";
-import type {RequestMessage, TaskAnswer} from "../src/engine/protocol";
+import type {RequestMessage, TaskAnswer} from "../src/contract/messages";
 import type {Workbench} from "../src/state/workbench.svelte";
 import {new_problem, swinging, type SwingTask} from "./swing/index";
 

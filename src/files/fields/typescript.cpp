@@ -19,6 +19,12 @@ std::string type_name(std::string_view definition) {
   return name;
 }
 
+/// "axis_quantity": axis_quantities.
+std::string plural(std::string_view definition) {
+  const bool ends_in_y = definition.ends_with("ty");
+  return std::string(definition.substr(0, definition.size() - (ends_in_y ? 1 : 0))) + (ends_in_y ? "ies" : "s");
+}
+
 /// Where a reference leads: of "problem.schema.json#/$defs/pose" "pose", of "problem.schema.json" "problem".
 std::string_view target_of(std::string_view reference) {
   constexpr std::string_view definitions = "#/$defs/";
@@ -129,8 +135,13 @@ std::string typescript(const OrderedJson& schema, std::string_view name) {
                         is_interface ? written : written + ";");
   };
   define(name, schema);
-  for (const auto& [key, definition] : schema.at("$defs").items())
-    if (TypeScript::has_name(definition)) define(type_name(key), definition);
+  for (const auto& [key, definition] : schema.at("$defs").items()) {
+    if (definition.contains("enum"))
+      text += fmt::format("export const {0} = {1} as const;\nexport type {2} = (typeof {0})[number];\n", plural(key),
+                          definition.at("enum").dump(), type_name(key));
+    else if (TypeScript::has_name(definition))
+      define(type_name(key), definition);
+  }
   return indented(text);
 }
 

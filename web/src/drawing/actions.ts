@@ -1,5 +1,5 @@
 // What a click or a key does to the thing under it.
-import type {Point} from "../engine/protocol";
+import type {Point} from "../contract/messages";
 import {coordinate_of, with_side} from "../engine/axis";
 import {body_point, outline_of, placed, round_step, with_view} from "../state/problem";
 import {poses_of, type Pose} from "../state/task";

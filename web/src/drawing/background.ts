@@ -1,5 +1,5 @@
 // A picture behind the drawing: brought to a size that a problem file can carry.
-import type {Point} from "../engine/protocol";
+import type {Point} from "../contract/messages";
 import {placed, type Background} from "../state/problem";
 import {to_user, type Viewport} from "./viewport";
 

@@ -1,5 +1,5 @@
 import {describe, expect, it} from "vitest";
-import type {TaskAnswer} from "../engine/protocol";
+import type {TaskAnswer} from "../contract/messages";
 import {clip, curve_path, nearest, point_at, samples_of_sides, spot_of_tau, through_infinity} from "./curve_samples";
 import type {Viewport} from "./viewport";
 

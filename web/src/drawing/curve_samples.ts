@@ -1,6 +1,6 @@
 // The curves of an axis' dyads as polylines through projective samples: where they run through infinity, or where there
 // are no dyads, they are broken, and a place between two samples has a curve coordinate.
-import type {Branch, DyadPolygon, Point, Side, TaskAnswer} from "../engine/protocol";
+import type {Branch, DyadPolygon, Point, Side, TaskAnswer} from "../contract/messages";
 import {has_burmester_curve, is_discrete, moving_side} from "../engine/axis";
 import type {Viewport} from "./viewport";
 

@@ -1,5 +1,5 @@
 import {expect, it} from "vitest";
-import type {Point} from "../engine/protocol";
+import type {Point} from "../contract/messages";
 import {far, is_covered, margins, useful_pivots, view_beside, view_of} from "./fit";
 import {shows} from "./viewport";
 

@@ -1,5 +1,5 @@
 // What the drawing shows when a task is opened, and when one asks for everything.
-import type {Point} from "../engine/protocol";
+import type {Point} from "../contract/messages";
 import {placed, type Problem} from "../state/problem";
 import type {Pose} from "../state/task";
 import {bounds, fitted, to_screen, type Margins, type Viewport} from "./viewport";

@@ -1,5 +1,5 @@
 // What can be taken hold of on the drawing: where each thing lies on the screen and how near a pointer must come.
-import type {Box, Linkage, Point, Side} from "../engine/protocol";
+import type {Box, Linkage, Point, Side} from "../contract/messages";
 import type {End, Ends} from "../figure/figure";
 import {placed, type Problem} from "../state/problem";
 import {poses_of, type Pose} from "../state/task";

@@ -1,7 +1,7 @@
 // What the engine tells of special configurations has its words.
 import {expect, it} from "vitest";
 import {load_module} from "../engine/node";
-import type {InstantReport, Point} from "../engine/protocol";
+import type {InstantReport, Point} from "../contract/messages";
 import {known_text} from "../texts/texts.svelte";
 
 const engine = load_module();

@@ -1,5 +1,5 @@
 import {describe, expect, it} from "vitest";
-import type {Point} from "../engine/protocol";
+import type {Point} from "../contract/messages";
 import {circle_path, endless, polyline} from "./instant_paths";
 
 const space = {project: ([x, y]: Point): Point => [400 + 10 * x, 300 - 10 * y]};

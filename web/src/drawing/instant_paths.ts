@@ -1,5 +1,5 @@
 // The circles, lines and curves of an instant as paths in px.
-import type {CircleOrLine, Point} from "../engine/protocol";
+import type {CircleOrLine, Point} from "../contract/messages";
 import {line, px} from "../figure/paths";
 import {clip} from "./curve_samples";
 import type {Plane} from "./space";

@@ -4,7 +4,7 @@ import {join} from "node:path";
 import {execFileSync, spawnSync} from "node:child_process";
 import {tmpdir} from "node:os";
 import {beforeAll, afterAll, describe, expect, it, vi} from "vitest";
-import type {Point} from "../engine/protocol";
+import type {Point} from "../contract/messages";
 import en from "../texts/en.json";
 import {body_of, outlines_in, unit_factor, type Shapes} from "./outline_file";
 import {preset, preset_names} from "./outline_presets";

@@ -1,5 +1,5 @@
 // An outline out of a drawing of another program, SVG or DXF: which shapes it has, and one of them as the body.
-import type {Point} from "../engine/protocol";
+import type {Point} from "../contract/messages";
 import {Refused, type Drawn, type Refusal} from "./outlines/strokes";
 import {shapes_of, simplified, type Shape} from "./outlines/shapes";
 import {bounds} from "./viewport";

@@ -1,5 +1,5 @@
 // Bodies to start from, sized to the task. The moving frame's origin lies where one would measure from.
-import type {Point} from "../engine/protocol";
+import type {Point} from "../contract/messages";
 import {multiple} from "./snapping";
 
 export const preset_names = ["rectangle", "door", "lid", "bucket", "wing"] as const;

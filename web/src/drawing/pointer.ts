@@ -1,7 +1,7 @@
 // The pointer on the drawing: hovering, pressing, dragging, two fingers, the wheel.
 import {tick} from "svelte";
 import type {Attachment} from "svelte/attachments";
-import type {Point} from "../engine/protocol";
+import type {Point} from "../contract/messages";
 import {add_draft_corner, add_position, click_target, focus_handle, poses_are_wanted, toggle_traced} from "./actions";
 import {box_drag, rubber_drag} from "./drags/box_drags";
 import type {Bench} from "./bench";

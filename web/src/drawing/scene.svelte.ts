@@ -1,6 +1,6 @@
 // The drawing's own state: what part it shows, what the pointer is over, what is being drawn. Not part of the task.
 import {getContext, setContext, untrack} from "svelte";
-import type {Box, InstantReport, Linkage, Point, Replies, Side} from "../engine/protocol";
+import type {Box, InstantReport, Linkage, Point, Replies, Side} from "../contract/messages";
 import type {End} from "../figure/figure";
 import {at_angle, at_row, reached_rows, type Carrier, type Configuration} from "../figure/mechanism";
 import {Question} from "../questions/question.svelte";

@@ -1,5 +1,5 @@
 import {describe, expect, it} from "vitest";
-import type {TaskAnswer} from "../engine/protocol";
+import type {TaskAnswer} from "../contract/messages";
 import {point_at, samples_of_sides, spot_of_tau} from "./curve_samples";
 import {beyond_edge, beyond_spot, overshoot, slid, stepped} from "./sliding";
 import type {Viewport} from "./viewport";

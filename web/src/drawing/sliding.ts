@@ -1,5 +1,5 @@
 // A pivot that slides along its curve: which place of the curve a pointer means.
-import type {Point} from "../engine/protocol";
+import type {Point} from "../contract/messages";
 import {
   nearest,
   next_in,

@@ -1,5 +1,5 @@
 // Where a drag comes to rest: the grid, the places of other poses, round angles.
-import type {Point} from "../engine/protocol";
+import type {Point} from "../contract/messages";
 
 /** How near in pixels things line up. */
 export const align_px = 6;

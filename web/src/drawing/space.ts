@@ -1,6 +1,6 @@
 // Where linkages live, as a drawing shows it: the plane here; a kind whose linkages live elsewhere (a sphere) brings its
 // own space with its own stage (tasks/view.ts).
-import type {Point} from "../engine/protocol";
+import type {Point} from "../contract/messages";
 import {px} from "../figure/paths";
 import {align_px, snapped_point, type Guide, type Keys} from "./snapping";
 import {grid_step, line_step, shows, to_screen, to_user, type Viewport} from "./viewport";

@@ -1,7 +1,7 @@
 // What the parts of a task see of the drawing on which they are shown and taken hold of. The drawing gives it (Scene);
 // kinds of tasks know no more of it than this.
 import {getContext} from "svelte";
-import type {Linkage, Mistake, Point, TaskAnswer} from "../engine/protocol";
+import type {Linkage, Mistake, Point, TaskAnswer} from "../contract/messages";
 import type {Problem} from "../state/problem";
 import type {Pose} from "../state/task";
 import type {Toast} from "../state/toasts";

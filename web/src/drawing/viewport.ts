@@ -1,5 +1,5 @@
 // Which part of the fixed frame the drawing shows. User units, y up; screen pixels, y down.
-import type {Box, Point} from "../engine/protocol";
+import type {Box, Point} from "../contract/messages";
 import {round_step} from "../state/problem";
 import {least_of, most_of} from "../state/ends";
 

@@ -1,18 +1,10 @@
 // Linkages as the page knows them, of the engine's replies: the object of the result file, and beside it what only the
 // page shows (bindings/wasm/linkage_reply.cpp, best_reply.cpp).
-import type {Defects, GroundedLink, Linkage, Notice, Pivot, Point, Ranked, TauPair} from "./protocol";
-import type * as result from "./result";
+import type {Defects, GroundedLink, Linkage, Pivot, Point, Ranked} from "../contract/messages";
+import type * as told from "../contract/replies";
+import type * as result from "../contract/result";
 
 type Axis = readonly [number, number, number];
-type Driver = Pick<
-  result.FourBar,
-  | "type"
-  | "defects"
-  | "drive"
-  | "driver_sweep_deg"
-  | "min_transmission_angle_deg"
-  | "min_transmission_angle_full_turn_deg"
->;
 type Member<Kind, Key extends PropertyKey> = Kind extends {[K in Key]?: infer Value} ? Value : never;
 /** What one of the kinds has, whichever it is. */
 type OfAnyKind<Kinds> = {[Key in Kinds extends unknown ? keyof Kinds : never]?: Member<Kinds, Key>};
@@ -28,35 +20,10 @@ type LinkageRecord = Omit<
     output?: Dyad;
     lengths?: Readonly<Record<string, number>>;
   };
-/** What `linkage` replies. */
-export interface LinkageReply {
-  tau: TauPair;
-  fails: number;
-  reason: Notice | null;
-  record: LinkageRecord | null;
-  travel: (Omit<NonNullable<Linkage["drive"]>, "states"> & {dead_points_deg: number[]}) | null;
-  // The grounded links where there is no linkage, if there are any; about a centre always, as the curves have them.
-  input?: Dyad;
-  output?: Dyad;
-  // Of some kinds.
-  miss_input_deg?: number;
-  pairs_deg?: [number, number][];
-  reaches_pairs?: boolean;
-  min_link_angle_deg?: number;
-  bodies?: number[][];
-  driven?: Driver;
-  swapped?: Driver;
-  strip_middle?: number;
-  profile?: unknown;
-  rates?: unknown;
-}
-/** One of what `best` replies. */
-export interface RankedReply extends Pick<LinkageReply, "tau" | "min_link_angle_deg"> {
-  record: LinkageRecord;
-  chain?: unknown;
-  deviation?: number | null;
-  window?: unknown;
-}
+type Merged<Reply, Record> = Omit<Reply, "record" | "input" | "output"> & {record: Record; input?: Dyad; output?: Dyad};
+/** What `linkage` and `best` reply, of any kind. */
+export type LinkageReply = Merged<told.LinkageReply, LinkageRecord | null>;
+export type RankedReply = Merged<told.RankedReply, LinkageRecord>;
 
 const nowhere: Axis = [0, 0, 0];
 const no_defects: Defects = {order: false, branch: false, circuit: false};
@@ -137,7 +104,7 @@ function function_of(record: LinkageRecord | null, reply: LinkageReply): Linkage
   };
 }
 
-function six_bar_of({topology, joints, lengths}: LinkageRecord, bodies: number[][]): object {
+function six_bar_of({topology, joints, lengths}: LinkageRecord, bodies: readonly (readonly number[])[]): object {
   return {
     topology,
     joints: Object.entries(joints!).map(([name, at], i) => ({name, ground: bodies[0]!.includes(i), at})),
@@ -189,7 +156,7 @@ export function linkage_of(
   reply: LinkageReply,
 ): Omit<Linkage, "drive"> & {drive: Omit<NonNullable<Linkage["drive"]>, "states"> | null} {
   const {tau, fails, reason, record, travel} = reply,
-    driver: Partial<Driver> = reply.driven ?? record ?? {},
+    driver: Partial<told.Driver> = reply.driven ?? record ?? {},
     {dead_points_deg, ...drive} = travel ?? {dead_points_deg: []};
   const swapped = reply.swapped ?? record?.swapped;
   return {

@@ -1,5 +1,5 @@
 import {describe, expect, it} from "vitest";
-import {whole, type Axis} from "./protocol";
+import {whole, type Axis} from "../contract/messages";
 import {
   block_at,
   held_place,

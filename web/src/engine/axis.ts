@@ -11,7 +11,7 @@ import {
   type TaskAnswer,
   type TauPair,
   type Window,
-} from "./protocol";
+} from "../contract/messages";
 
 function interpolated(knots: readonly (readonly [number, number])[], value: number, from: 0 | 1): number {
   const to = from === 0 ? 1 : 0;

@@ -1,6 +1,6 @@
 import {afterEach, beforeEach, describe, expect, it, vi} from "vitest";
 import {Cancelled, Crashed, EngineClient, no_answer, patience_ms, Refusal, Superseded} from "./client";
-import type {ReplyMessage, RequestMessage} from "./protocol";
+import type {ReplyMessage, RequestMessage} from "../contract/messages";
 
 /** A worker that answers when it is told to. */
 class Puppet extends EventTarget {

@@ -1,4 +1,4 @@
-import type {Kind, RequestMessage, ReplyMessage, Replies, Requests, TidingsOf} from "./protocol";
+import type {Kind, RequestMessage, ReplyMessage, Replies, Requests, TidingsOf} from "../contract/messages";
 import {Refusal} from "./refusal";
 
 export {Refusal};

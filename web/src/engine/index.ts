@@ -6,7 +6,7 @@ import {Engine} from "./serve";
 import {start_worker} from "./start";
 
 export {Cancelled, Crashed, EngineClient, Refusal, Superseded, type Job, type Run} from "./client";
-export * from "./protocol";
+export * from "../contract/messages";
 export {Engine, start_worker, type Code};
 
 /** The engine in this thread; `code` where it is not to be fetched from beside the script. */

@@ -5,7 +5,7 @@ import {stored_start} from "./stored";
 import {code_urls, type CodePart} from "./code";
 import {create_linkwright} from "./module";
 import {load_engine} from "./node";
-import {whole, type Kind, type Requests} from "./protocol";
+import {whole, type Kind, type Requests} from "../contract/messages";
 import {Engine} from "./serve";
 import {first_example} from "../gallery/gallery";
 import {problem_text} from "../state/problem";

@@ -1,6 +1,6 @@
 // The engine's module (bindings/wasm/bind.cpp). Arrays are views into the engine's memory: to be copied before the next
 // call.
-import type {DyadPolygon, PlateSizes} from "./protocol";
+import type {DyadPolygon, PlateSizes} from "../contract/messages";
 import untyped from "./generated/linkwright.mjs";
 
 export interface MapArrays {

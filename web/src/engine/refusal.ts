@@ -1,4 +1,4 @@
-import type {Mistake} from "./protocol";
+import type {Mistake} from "../contract/messages";
 
 /** The engine refused: the caller's mistakes, each with its place. */
 export class Refusal extends Error {

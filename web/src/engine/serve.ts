@@ -22,7 +22,7 @@ import type {
   Tidings,
   ToleranceAnswer,
   ToleranceFigures,
-} from "./protocol";
+} from "../contract/messages";
 
 const nearest_order = -1;
 const no_dyads: Mistake = {

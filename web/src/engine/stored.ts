@@ -11,7 +11,7 @@ import {
   type Point,
   type TaskAnswer,
   type TauPair,
-} from "./protocol";
+} from "../contract/messages";
 
 /** Arrays are deflated, in base64. */
 type Packed<Keys extends string> = Record<Keys, string>;

@@ -1,7 +1,7 @@
 // One engine in one worker: takes its code, then answers one request after the other.
 import {code_urls, type CodePart} from "./code";
 import {create_linkwright} from "./module";
-import type {ReplyMessage, RequestMessage} from "./protocol";
+import type {ReplyMessage, RequestMessage} from "../contract/messages";
 import {Engine} from "./serve";
 
 const scope = self as unknown as {

@@ -1,6 +1,6 @@
 // A film of a picture, MP4 or WebM: frame by frame through the browser's own encoder, as fast as that goes.
 import type {VideoCodec} from "mediabunny";
-import type {Drive} from "../engine/protocol";
+import type {Drive} from "../contract/messages";
 import {played_span} from "../transport/play";
 import {breathe, canvas_for, type Progress} from "./animation";
 import type {FilmForm} from "./film_form.svelte";

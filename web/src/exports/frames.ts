@@ -1,5 +1,5 @@
 // Which driver angles an animation shows, and for how long each: there over the task in two seconds, a rest, and back.
-import type {Drive} from "../engine/protocol";
+import type {Drive} from "../contract/messages";
 import {played_span} from "../transport/play";
 
 export interface Frame {

@@ -7,7 +7,7 @@ import {join} from "node:path";
 import {fileURLToPath} from "node:url";
 import {afterEach, beforeAll, describe, expect, it} from "vitest";
 import {load_module} from "../engine/node";
-import type {MachineFormat, MachinePlan, TauPair} from "../engine/protocol";
+import type {MachineFormat, MachinePlan, TauPair} from "../contract/messages";
 import {Refusal} from "../engine/refusal";
 import {Engine} from "../engine/serve";
 import {no_mechanism} from "../figure/no_mechanism";
@@ -85,8 +85,8 @@ describe("a linkage as plates on pins", () => {
       {sizes, layers} = engine.ask("machine", {...of, sizes: {clearance: 0, pin: 7}});
     expect(sizes).toMatchObject({clearance: 0, pin: 7, radius: 0});
     expect(sizes.width).toBeGreaterThan(7);
-    expect(layers.map(([body]) => body)).toEqual(["ground", "input", "coupler", "output"]);
-    expect(layers[0]![1]).toBe(0);
+    expect(layers.map(({body}) => body)).toEqual(["ground", "input", "coupler", "output"]);
+    expect(layers[0]!.layer).toBe(0);
   });
   it.each(["wheel_loader", "folding_wing"])("is made of any kind: %s", (name) => {
     const of = best_of(example(name)),
@@ -94,7 +94,7 @@ describe("a linkage as plates on pins", () => {
     expect(plan.layers.length).toBe(name === "wheel_loader" ? 6 : 4);
     expect(plan.sizes.radius > 0).toBe(name === "folding_wing");
     const {mechanism} = task_view(example(name).task);
-    for (const [body] of plan.layers) expect(mechanism.plate_words.body(body)).not.toMatch(/[._]/);
+    for (const {body} of plan.layers) expect(mechanism.plate_words.body(body)).not.toMatch(/[._]/);
     expect(engine.ask("machine_file", {...of, sizes: {}, format: "3mf"}).bytes.subarray(0, 2)).toEqual(
       Uint8Array.from([0x50, 0x4b]),
     );

@@ -1,5 +1,5 @@
 // The map for paper: by type, hatched where defects are, with the place of one linkage.
-import type {Axes, MapAnswer, TauPair} from "../engine/protocol";
+import type {Axes, MapAnswer, TauPair} from "../contract/messages";
 import {hatch_tile} from "../region/hatching";
 import {paint_types, put, sized_bitmap} from "../region/painter";
 import {css, read_palette} from "../region/palette";

@@ -1,5 +1,5 @@
 // A compact picture of one linkage and its body for animations: links, pivots, body, its path and the positions.
-import type {Drive, Linkage, Point} from "../engine/protocol";
+import type {Drive, Linkage, Point} from "../contract/messages";
 import {figure_colors, paint_figure, type FigureColors} from "../figure/canvas";
 import {placed_outline, positions_of, type Figure, type Trace} from "../figure/figure";
 import {at_angle, type Mechanism} from "../figure/mechanism";

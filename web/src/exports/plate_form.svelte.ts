@@ -1,4 +1,4 @@
-import type {PlateSizes} from "../engine/protocol";
+import type {PlateSizes} from "../contract/messages";
 
 export type PlateSize = Exclude<keyof PlateSizes, "gap">;
 

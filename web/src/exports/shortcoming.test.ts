@@ -1,5 +1,5 @@
 import {describe, expect, it} from "vitest";
-import type {Linkage} from "../engine/protocol";
+import type {Linkage} from "../contract/messages";
 import {first_example} from "../gallery/gallery";
 import {shortcoming} from "./shortcoming";
 

@@ -1,5 +1,5 @@
 // What whoever takes a linkage away has to know before it is built.
-import type {Linkage, Replies} from "../engine/protocol";
+import type {Linkage, Replies} from "../contract/messages";
 import {verdict_of} from "../numbers/verdict";
 import {unmet_text} from "../requirements/requirements";
 import type {Workbench} from "../state/workbench.svelte";

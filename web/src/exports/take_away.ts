@@ -1,5 +1,5 @@
 // What can be taken away, and of which linkage: the picked one, or one that is pinned.
-import type {ExportFormat, Linkage, LinkageType, MachineFormat, MachinePlan, TauPair} from "../engine/protocol";
+import type {ExportFormat, Linkage, LinkageType, MachineFormat, MachinePlan, TauPair} from "../contract/messages";
 import {drawing_svg, drawing_with_more} from "../drawing/snapshot";
 import {css_values} from "../state/css_values";
 import {engine_text, outline_of, type Problem} from "../state/problem";

@@ -1,6 +1,6 @@
 // What a field hears of what is edited: the engine's refusal, and that one has gone back or forth in the history.
 import {getContext, setContext} from "svelte";
-import type {Mistake} from "../engine/protocol";
+import type {Mistake} from "../contract/messages";
 
 export interface Edited {
   refusal: Mistake[] | null;

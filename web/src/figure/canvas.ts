@@ -1,5 +1,5 @@
 // A figure on a canvas, for films.
-import type {Point} from "../engine/protocol";
+import type {Point} from "../contract/messages";
 import {is_plate, is_slender, placed_outline, web_of, type Figure, type Joint, type Role} from "./figure";
 import type {Projection} from "./paths";
 

@@ -1,5 +1,5 @@
 import {describe, expect, it} from "vitest";
-import type {Linkage, Point} from "../engine/protocol";
+import type {Linkage, Point} from "../contract/messages";
 import {six_bar} from "../tasks/six_bar/figure";
 import {paint_figure} from "./canvas";
 import {bar_of, is_slender, middle_of, points_of, web_of, type Figure} from "./figure";

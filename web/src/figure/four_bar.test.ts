@@ -1,5 +1,5 @@
 import {describe, expect, it} from "vitest";
-import type {Linkage, Point} from "../engine/protocol";
+import type {Linkage, Point} from "../contract/messages";
 import {body_point, placed} from "../state/problem";
 import {four_bar} from "./four_bar";
 import type {Carrier} from "./mechanism";

@@ -1,5 +1,5 @@
 // Four-bars, whatever they are for.
-import type {Linkage, Point, Side} from "../engine/protocol";
+import type {Linkage, Point, Side} from "../contract/messages";
 import {row_state, type State} from "../state/drive";
 import {body_point, placed, type Pin} from "../state/problem";
 import {t, type TextKey} from "../texts/texts.svelte";

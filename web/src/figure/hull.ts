@@ -1,4 +1,4 @@
-import type {Point} from "../engine/protocol";
+import type {Point} from "../contract/messages";
 
 /** Convex hull, counter-clockwise (Andrew's monotone chain). */
 export function convex_hull(points: readonly Point[]): Point[] {

@@ -1,5 +1,5 @@
 import {expect, it} from "vitest";
-import type {Point} from "../engine/protocol";
+import type {Point} from "../contract/messages";
 import {placed_texts} from "./labels";
 
 const label = (at: Point, text: string) => ({at, text, size: 12, gap: 10});

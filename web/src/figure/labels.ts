@@ -1,5 +1,5 @@
 // Where the words of a figure stand: beside what they name, none upon another, nor upon a joint or a sign.
-import type {Point} from "../engine/protocol";
+import type {Point} from "../contract/messages";
 
 export interface Asked {
   /** Of what is named, in pixels. */

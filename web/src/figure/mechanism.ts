@@ -1,5 +1,5 @@
 // How linkages are put together: what a kind of task tells of its linkages so that they can be placed and drawn.
-import type {Drive, Linkage, Pivot, Point, Side} from "../engine/protocol";
+import type {Drive, Linkage, Pivot, Point, Side} from "../contract/messages";
 import {joints_at, row_count, row_joints, row_state, state_at, type State} from "../state/drive";
 import {least_of, most_of} from "../state/ends";
 import {placed, type Pin} from "../state/problem";

@@ -1,5 +1,5 @@
 // SVG path data in pixels.
-import type {Point} from "../engine/protocol";
+import type {Point} from "../contract/messages";
 
 export function px(value: number): number {
   return Math.round(value * 10) / 10;

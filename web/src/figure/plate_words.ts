@@ -1,5 +1,5 @@
 // What is found of a linkage as plates on pins, in words.
-import type {MachinePlan, PlateCrossing} from "../engine/protocol";
+import type {MachinePlan, PlateCrossing} from "../contract/messages";
 import {degrees_text} from "../texts/numbers";
 import {t} from "../texts/texts.svelte";
 import type {Mechanism} from "./mechanism";

@@ -1,5 +1,5 @@
 import {describe, expect, it} from "vitest";
-import type {Axis, AxisQuantity} from "../engine/protocol";
+import type {Axis, AxisQuantity} from "../contract/messages";
 import {place_text} from "./place";
 
 const axis = (quantity: AxisQuantity, value: (share: number) => number): Axis => ({

@@ -1,5 +1,5 @@
 // Where a grounded link stands on its axis of the map, as people read it.
-import type {Axes, Axis, AxisQuantity, Side, TauPair} from "../engine/protocol";
+import type {Axes, Axis, AxisQuantity, Side, TauPair} from "../contract/messages";
 import {is_angle} from "../region/axis_marks";
 import {degrees_text, fixed, significant} from "../texts/numbers";
 import {t} from "../texts/texts.svelte";

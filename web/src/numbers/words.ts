@@ -1,5 +1,5 @@
 // How the numbers of a linkage are said.
-import type {Linkage, LinkageType, Pivot, RequirementKey, Requirements, TaskAnswer} from "../engine/protocol";
+import type {Linkage, LinkageType, Pivot, RequirementKey, Requirements, TaskAnswer} from "../contract/messages";
 import {value_text, type Units} from "../requirements/requirements";
 import {preferences} from "../state/preferences.svelte";
 import {screen_size} from "../state/screen.svelte";

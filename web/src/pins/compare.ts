@@ -1,5 +1,5 @@
 // Pinned linkages side by side: what is compared, which is best, in which order, and as a table to take away.
-import type {Linkage} from "../engine/protocol";
+import type {Linkage} from "../contract/messages";
 import type {Pin} from "../state/problem";
 import {lengths_of} from "../tasks/kinds";
 import {least_of, most_of} from "../state/ends";

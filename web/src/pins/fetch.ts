@@ -1,5 +1,5 @@
 import type {EngineClient} from "../engine/client";
-import type {Linkage} from "../engine/protocol";
+import type {Linkage} from "../contract/messages";
 import {engine_text, type Pin, type Problem} from "../state/problem";
 import {with_other_task} from "../tasks/kinds";
 

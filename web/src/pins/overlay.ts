@@ -1,7 +1,7 @@
 // Transmission angles of several linkages over their driver angles, in one plot.
 import UPlot from "uplot";
 import "uplot/dist/uPlot.min.css";
-import {state_columns, type Drive} from "../engine/protocol";
+import {state_columns, type Drive} from "../contract/messages";
 import {least_of, most_of} from "../state/ends";
 
 export interface Curve {

@@ -1,5 +1,5 @@
 // Linkages in small pictures: as they stand, and how much room they take.
-import type {Linkage, Point} from "../engine/protocol";
+import type {Linkage, Point} from "../contract/messages";
 import type {Figure} from "../figure/figure";
 import {at_angle, at_row, task_rows, type Mechanism} from "../figure/mechanism";
 import {angle_at_stage, row_count} from "../state/drive";

@@ -1,5 +1,5 @@
 import {describe, expect, it} from "vitest";
-import type {Axis, AxisBlock} from "../engine/protocol";
+import type {Axis, AxisBlock} from "../contract/messages";
 import {axis_bars, axis_numbers, has_layers} from "./axis_marks";
 import {make_scale} from "./scale";
 import {spherical_kind} from "../tasks/spherical/kind";

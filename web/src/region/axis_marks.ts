@@ -1,5 +1,5 @@
 // What stands along a map axis: names of its blocks, numbers, ∞ marks, poles, nodes, in pixels.
-import type {Axis, AxisQuantity, Branch, Side, Special} from "../engine/protocol";
+import type {Axis, AxisQuantity, Branch, Side, Special} from "../contract/messages";
 import {place_of} from "../engine/axis";
 import {significant} from "../texts/numbers";
 import type {TermName} from "../terms/pictures";

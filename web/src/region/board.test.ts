@@ -1,5 +1,5 @@
 import {describe, expect, it} from "vitest";
-import type {Axis, MapAnswer, TaskAnswer} from "../engine/protocol";
+import type {Axis, MapAnswer, TaskAnswer} from "../contract/messages";
 import {board_cells, is_board} from "./board";
 
 const points = (count: number): Axis => ({

@@ -9,7 +9,7 @@ import {
   type Side,
   type TaskAnswer,
   type TauPair,
-} from "../engine/protocol";
+} from "../contract/messages";
 import {is_discrete} from "../engine/axis";
 
 export interface BoardCell {

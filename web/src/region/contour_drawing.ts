@@ -1,7 +1,7 @@
 // Contours on a canvas: white lines with a dark edge, each labelled where it is straightest.
 import {contours, straightest, type Contour} from "./contours";
-import {degenerate} from "../engine/protocol";
-import type {Axes, Axis, MapAnswer} from "../engine/protocol";
+import {degenerate} from "../contract/messages";
+import type {Axes, Axis, MapAnswer} from "../contract/messages";
 import {point_of, type Frame} from "./painter";
 
 const label_px = 30,

@@ -1,5 +1,5 @@
 import {describe, expect, it} from "vitest";
-import type {Curves} from "../engine/protocol";
+import type {Curves} from "../contract/messages";
 import {crowded_share, is_crowded} from "./crowding";
 
 function line(tau: number[], x: number[]): Curves {

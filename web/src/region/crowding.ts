@@ -1,4 +1,4 @@
-import type {Curves, Point} from "../engine/protocol";
+import type {Curves, Point} from "../contract/messages";
 
 const crowded_length = 0.3,
   crowded_part = 0.03;

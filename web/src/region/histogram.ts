@@ -1,5 +1,5 @@
-import {degenerate} from "../engine/protocol";
-import type {MapAnswer} from "../engine/protocol";
+import {degenerate} from "../contract/messages";
+import type {MapAnswer} from "../contract/messages";
 import {most_of} from "../state/ends";
 import {share_of, type Range} from "./value_range";
 

@@ -1,5 +1,5 @@
 // The map's keys.
-import {whole} from "../engine/protocol";
+import {whole} from "../contract/messages";
 import {preferences} from "../state/preferences.svelte";
 import {colorings_of} from "./property";
 import type {RegionView} from "./view.svelte";

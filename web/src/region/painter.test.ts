@@ -1,5 +1,5 @@
 import {describe, expect, it} from "vitest";
-import {whole, type MapAnswer} from "../engine/protocol";
+import {whole, type MapAnswer} from "../contract/messages";
 import {histogram} from "./histogram";
 import {diagonal, hash_of, paint_types, paint_values, point_of} from "./painter";
 import {mixed, pale, pixel, ramp, rgb_of, type Look, type Palette} from "./palette";

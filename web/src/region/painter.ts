@@ -1,5 +1,5 @@
 // The map as pixels: one per cell in a bitmap, defect cells left clear so that hatching drawn in screen pixels shows.
-import type {MapAnswer, Window} from "../engine/protocol";
+import type {MapAnswer, Window} from "../contract/messages";
 import {ramp_steps, ramp_table, type_table, type Look} from "./palette";
 import {pixel_of, type Piece, type Scale} from "./scale";
 import type {Range} from "./value_range";

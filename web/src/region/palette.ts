@@ -1,5 +1,5 @@
 // Colours of the map: the page's tokens, and the table from what a cell is to its pixel.
-import {degenerate, linkage_types} from "../engine/protocol";
+import {degenerate, linkage_types} from "../contract/messages";
 import {css_values} from "../state/css_values";
 
 export type Rgb = readonly [number, number, number];

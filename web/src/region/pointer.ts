@@ -1,6 +1,6 @@
 // What the pointer does on the map: mouse and pen hover, pick, box and pan; fingers hover with the crosshair above them,
 // pick on lifting, and zoom by two.
-import {whole, type Picked, type Point} from "../engine/protocol";
+import {whole, type Picked, type Point} from "../contract/messages";
 import type {RegionView} from "./view.svelte";
 import {boxed, panned, zoomed} from "./zoom";
 

@@ -1,5 +1,5 @@
 import {describe, expect, it} from "vitest";
-import type {Requirements} from "../engine/protocol";
+import type {Requirements} from "../contract/messages";
 import type {Tolerances} from "../state/tolerances";
 import {new_problem} from "../tasks/motion/kind";
 import {

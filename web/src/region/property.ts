@@ -1,5 +1,5 @@
 // What a colour of the map can stand for, whatever the task: its words, its range, which end is good, its requirement.
-import type {LinkageType, Property, Requirements, TaskAnswer} from "../engine/protocol";
+import type {LinkageType, Property, Requirements, TaskAnswer} from "../contract/messages";
 import {round_step} from "../state/problem";
 import type {Problem} from "../state/problem";
 import type {Workbench} from "../state/workbench.svelte";

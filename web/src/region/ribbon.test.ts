@@ -1,5 +1,5 @@
 import {describe, expect, it} from "vitest";
-import type {MapAnswer} from "../engine/protocol";
+import type {MapAnswer} from "../contract/messages";
 import {axis_top, even_ticks, ribbon_lines} from "./ribbon";
 import {make_scale} from "./scale";
 import {on_its_side} from "./painter";

@@ -1,7 +1,7 @@
 // The plot under a map of one column: a property along the coordinate.
 import {round_step} from "../state/problem";
-import {degenerate} from "../engine/protocol";
-import type {MapAnswer, Property} from "../engine/protocol";
+import {degenerate} from "../contract/messages";
+import type {MapAnswer, Property} from "../contract/messages";
 import {pixel_of, type Scale} from "./scale";
 
 export interface RibbonLine {

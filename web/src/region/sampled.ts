@@ -1,5 +1,5 @@
 // Which cells of a map have a yield of their own.
-import type {MapAnswer} from "../engine/protocol";
+import type {MapAnswer} from "../contract/messages";
 
 const coarsest = 16; // cells a side
 

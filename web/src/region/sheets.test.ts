@@ -1,5 +1,5 @@
 import {describe, expect, it} from "vitest";
-import {whole, type Axis, type MapAnswer, type TaskAnswer} from "../engine/protocol";
+import {whole, type Axis, type MapAnswer, type TaskAnswer} from "../contract/messages";
 import {sheets_of} from "./sheets";
 
 const axis = (...names: string[]): Axis => ({

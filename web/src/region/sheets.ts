@@ -1,7 +1,7 @@
 // Where both axes have sheets, the map has a part for each pair of them; where a place has several linkages, one to each
 // of its layers.
-import {degenerate} from "../engine/protocol";
-import type {Axis, MapAnswer, TaskAnswer, Window} from "../engine/protocol";
+import {degenerate} from "../contract/messages";
+import type {Axis, MapAnswer, TaskAnswer, Window} from "../contract/messages";
 import {has_layers} from "./axis_marks";
 
 export interface Sheet {

@@ -1,4 +1,4 @@
-import {whole} from "../engine/protocol";
+import {whole} from "../contract/messages";
 import {with_options, type Options} from "../state/problem";
 import type {Workbench} from "../state/workbench.svelte";
 import {defaults} from "../state/defaults";

@@ -1,7 +1,7 @@
 // How the map lies on the screen and where it is being pointed at. Nothing here outlives the pointer: what is shown of
 // the region, picked and hovered is the workbench's.
-import {degenerate} from "../engine/protocol";
-import type {Axis, Point, Side, TauPair} from "../engine/protocol";
+import {degenerate} from "../contract/messages";
+import type {Axis, Point, Side, TauPair} from "../contract/messages";
 import {held_place, is_ribbon, place_of, places_of, stepped_place, tau_of_places} from "../engine/axis";
 import type {Pin} from "../state/problem";
 import type {Workbench} from "../state/workbench.svelte";

@@ -1,5 +1,5 @@
 // The legend as a filter: which types the requirements ask for.
-import type {LinkageType} from "../engine/protocol";
+import type {LinkageType} from "../contract/messages";
 import {with_requirements, type Problem} from "../state/problem";
 import type {Task} from "../state/task";
 import {types_of} from "../tasks/kinds";

@@ -1,5 +1,5 @@
 // A linkage in words, for the card and for those who listen.
-import type {Linkage} from "../engine/protocol";
+import type {Linkage} from "../contract/messages";
 import {defect_key, has_defect, linkage_name} from "../numbers/words";
 import type {Task} from "../state/task";
 import {told} from "../tasks/kinds";

@@ -1,5 +1,5 @@
 import {describe, expect, it} from "vitest";
-import {whole} from "../engine/protocol";
+import {whole} from "../contract/messages";
 import {boxed, least_width, magnification, panned, showing, zoomed} from "./zoom";
 
 describe("zoom", () => {

@@ -1,5 +1,5 @@
 // Parts of the region: zooming, panning and boxes in places of the two axes.
-import {whole, type TauPair, type Window} from "../engine/protocol";
+import {whole, type TauPair, type Window} from "../contract/messages";
 
 export const least_width = 1e-7;
 type Span = readonly [number, number];

@@ -1,5 +1,5 @@
 import {describe, expect, it} from "vitest";
-import type {Box, Linkage, TaskAnswer} from "../engine/protocol";
+import type {Box, Linkage, TaskAnswer} from "../contract/messages";
 import type {Problem} from "../state/problem";
 import {new_problem} from "../tasks/motion/kind";
 import {
@@ -69,7 +69,7 @@ describe("requirements", () => {
     expect(unmet_text(linkage(0b1010100), asked)).toBe(
       "Not met: transmission angle (89° at least), longest link (400 mm at most), box for fixed pivots",
     );
-    const relaxation = {requirement: "min_transmission_angle_deg", value: 83, leaves: 34} as const;
+    const relaxation = {requirement: "min_transmission_angle_deg", value: 83, only_this: 0, leaves: 34} as const;
     expect(relaxation_text(relaxation, true, "83°")).toBe(
       "The transmission angle is the most restrictive; 83° leaves 34.",
     );

@@ -8,7 +8,7 @@ import {
   type Relaxation,
   type RequirementKey,
   type Requirements,
-} from "../engine/protocol";
+} from "../contract/messages";
 import type {Task} from "../state/task";
 import type {Workbench} from "../state/workbench.svelte";
 import {making_of, requirement_descriptions, requirements_of, text_for} from "../tasks/kinds";
@@ -159,7 +159,7 @@ export function none_defect_free_text({pairs, types, order, branch}: Census, tas
 
 /** Where the map has linkages without defects and none meets all requirements: what was looked at, and what is proved. */
 export function none_left_text({defect_free, inside}: Census): string {
-  if (inside.is_empty) return t("notice.windows_empty");
+  if (inside.proved_empty) return t("notice.windows_empty");
   if (inside.looked_at > 0) return t("notice.none_inside", {count: inside.looked_at});
   return t(defect_free === 1 ? "state.none_left_of_one" : "state.none_left", {n: grouped(defect_free)});
 }

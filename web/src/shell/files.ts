@@ -1,7 +1,7 @@
 // Problem files come in: by the picker, dropped anywhere on the page, or out of a link. The engine reads every one
 // before anything on screen changes.
 import {Crashed, Refusal, Superseded} from "../engine/client";
-import type {Mistake, Notice} from "../engine/protocol";
+import type {Mistake, Notice} from "../contract/messages";
 import {save_problem} from "../exports/save";
 import {read_problem} from "../state/problem_shape";
 import type {Problem} from "../state/problem";

@@ -3,7 +3,7 @@
 import {createStore, get, set} from "idb-keyval";
 import {untrack} from "svelte";
 import {code_urls} from "../engine/code";
-import {whole} from "../engine/protocol";
+import {whole} from "../contract/messages";
 import {thinned, type StoredView} from "../engine/stored";
 import {same_tau} from "../state/document";
 import {engine_text} from "../state/problem";

@@ -1,6 +1,6 @@
 import "fake-indexeddb/auto";
 import {beforeAll, expect, it} from "vitest";
-import {degenerate, whole} from "../engine/protocol";
+import {degenerate, whole} from "../contract/messages";
 import {thinned} from "../engine/stored";
 import {Workbench} from "../state/workbench.svelte";
 import {bench, settled} from "../state/workbench_bench";

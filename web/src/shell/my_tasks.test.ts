@@ -1,5 +1,5 @@
 import {describe, expect, it} from "vitest";
-import type {Linkage, MapAnswer} from "../engine/protocol";
+import type {Linkage, MapAnswer} from "../contract/messages";
 import {first_example} from "../gallery/gallery";
 import {Workbench} from "../state/workbench.svelte";
 import {with_pose} from "../tasks/kinds";

@@ -2,7 +2,7 @@
 // beside the work of the tabs (storage.ts), in the same store.
 import {deflateSync, inflateSync} from "fflate";
 import type {Thumbnail} from "../engine/stored";
-import {whole, type Linkage, type MapAnswer, type Pivot} from "../engine/protocol";
+import {whole, type Linkage, type MapAnswer, type Pivot} from "../contract/messages";
 import {examples} from "../gallery/gallery";
 import {engine_text, type Problem} from "../state/problem";
 import {read_problem} from "../state/problem_shape";

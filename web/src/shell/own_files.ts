@@ -1,6 +1,6 @@
 // What the page and the program write, told apart when it comes back: results and some linkages hold a task, other
 // linkages are one themselves, drawings and tables hold none.
-import {linkage_types} from "../engine/protocol";
+import {linkage_types} from "../contract/messages";
 import {unused_name} from "../state/pins";
 import type {Pin} from "../state/problem";
 import {read_view} from "../state/problem_shape";

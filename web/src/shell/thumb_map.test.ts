@@ -1,5 +1,5 @@
 import {expect, it} from "vitest";
-import {linkage_types} from "../engine/protocol";
+import {linkage_types} from "../contract/messages";
 import {painted} from "./thumb_map";
 
 it("a small map has the input upwards and four kinds of cells", () => {

@@ -1,5 +1,5 @@
 // The colours of a small map: in full what meets everything, washed what is only free of defects, grey the rest.
-import {degenerate, linkage_types} from "../engine/protocol";
+import {degenerate, linkage_types} from "../contract/messages";
 import type {Thumbnail} from "../engine/stored";
 import {mixed, rgb_of, washed_share} from "../region/palette";
 

@@ -1,5 +1,5 @@
 import {describe, expect, it} from "vitest";
-import type {Drive, Linkage, Point} from "../engine/protocol";
+import type {Drive, Linkage, Point} from "../contract/messages";
 import {four_bar, plate_orders} from "../figure/four_bar";
 import {sample_drive} from "../transport/sample_drive";
 import {crossings, moments_of, plan_layers, point_distance, segment_distance} from "./layers";

@@ -1,7 +1,7 @@
 // In which layer each link's plate lies, so that nothing collides as the linkage moves: the first order without a
 // collision over its motion. Plates are straight with round ends; pins reach from the layer of one of their links to that
 // of the other, and block what lies between.
-import type {Drive, Linkage, Point} from "../engine/protocol";
+import type {Drive, Linkage, Point} from "../contract/messages";
 import {bar_of, type Body, type Figure, type Joint} from "../figure/figure";
 import {at_row, type Mechanism, type PlateOrder} from "../figure/mechanism";
 import {angle_of_row, row_count} from "../state/drive";

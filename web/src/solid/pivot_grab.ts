@@ -5,7 +5,7 @@ import type {Drag} from "../drawing/drags/drag";
 import {pivot_drag} from "../drawing/drags/pivot_drag";
 import {keys_of} from "../drawing/snapping";
 import {to_screen} from "../drawing/viewport";
-import type {Point} from "../engine/protocol";
+import type {Point} from "../contract/messages";
 import type {SolidPivot, SolidScene} from "./scene";
 
 const reach = {mouse: 12, touch: 24},

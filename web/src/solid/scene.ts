@@ -29,7 +29,7 @@ import {
 } from "three";
 import {OrbitControls} from "three/examples/jsm/controls/OrbitControls.js";
 import type {Viewport} from "../drawing/viewport";
-import type {Point, Side} from "../engine/protocol";
+import type {Point, Side} from "../contract/messages";
 import {
   bar_of,
   edge_of,

@@ -1,7 +1,7 @@
 // What the engine has answered, each answer with the problem that it answers. Nothing is shown of a task that has no
 // linkage; what belongs to an earlier problem than the one in force is outdated once it has been so for a moment.
 import {gives_linkage, kind_of} from "../tasks/kinds";
-import type {Census, Linkage, Live, MapAnswer, Replies, TaskAnswer, TauPair} from "../engine/protocol";
+import type {Census, Linkage, Live, MapAnswer, Replies, TaskAnswer, TauPair} from "../contract/messages";
 import {Question} from "../questions/question.svelte";
 import type {Questions} from "../questions/questions";
 import {same_linkage, same_tau, type LinkageOf} from "./document";

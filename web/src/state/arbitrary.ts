@@ -1,6 +1,6 @@
 // For tests: states of the page as they can come about, drawn at random.
 import fc, {type Arbitrary} from "fast-check";
-import {linkage_types, type Pivot, type Property, type RequirementKey, type Requirements} from "../engine/protocol";
+import {linkage_types, type Pivot, type Property, type RequirementKey, type Requirements} from "../contract/messages";
 import {box, far_point, found, number, pair, points, positive, record, text} from "./arbitrary_values";
 import {from_problem, to_problem, type Document} from "./document";
 import type {RequirementDescription} from "../tasks/kind";

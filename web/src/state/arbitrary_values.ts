@@ -1,6 +1,6 @@
 // For tests: numbers, points and poses as they can come about, drawn at random.
 import fc, {type Arbitrary} from "fast-check";
-import type {Box, Point, TauPair} from "../engine/protocol";
+import type {Box, Point, TauPair} from "../contract/messages";
 import type {Pose} from "./task";
 
 // Numbers as they are typed, computed or dragged; −0 is written as 0.

@@ -1,6 +1,6 @@
 // The ranked list: the best linkages of the task, by the program's own search and in its order.
 import type {EngineClient} from "../engine/client";
-import type {Replies} from "../engine/protocol";
+import type {Replies} from "../contract/messages";
 import {Question} from "../questions/question.svelte";
 import type {Questions} from "../questions/questions";
 import {map_of} from "../tasks/kinds";

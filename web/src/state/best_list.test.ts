@@ -1,6 +1,6 @@
 import {expect, it, vi} from "vitest";
 import {Cancelled, Crashed, type EngineClient, type Job, type Run} from "../engine/client";
-import type {Replies} from "../engine/protocol";
+import type {Replies} from "../contract/messages";
 import {examples, first_example} from "../gallery/gallery";
 import {Workbench} from "./workbench.svelte";
 

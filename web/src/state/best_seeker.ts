@@ -1,7 +1,7 @@
 // Puts better linkages in hand: the best of all, the best of the next type, the best nearby.
 import type {EngineClient} from "../engine/client";
-import {degenerate} from "../engine/protocol";
-import type {Linkage, MapAnswer, Picked, Replies, TauPair} from "../engine/protocol";
+import {degenerate} from "../contract/messages";
+import type {Linkage, MapAnswer, Picked, Replies, TauPair} from "../contract/messages";
 import {Question} from "../questions/question.svelte";
 import type {Questions} from "../questions/questions";
 import type {TextKey, Values} from "../texts/texts.svelte";
@@ -67,6 +67,7 @@ export class BestSeeker {
       return;
     }
     if (!reply) return;
+    if (reply.linkages.length) this.met = true; // a change that follows at once has cost it
     const tau = reply.linkages[0]?.tau ?? (quietly && answers.map ? least_bad(answers.map) : null);
     if (tau && quietly) sought.put(tau);
     else if (tau) sought.pick(tau);

@@ -1,5 +1,5 @@
 import {describe, expect, it} from "vitest";
-import type {Axis} from "../engine/protocol";
+import type {Axis} from "../contract/messages";
 import {differs, from_problem, same_tau, settled_on, to_problem, type Document} from "./document";
 import {new_problem} from "../tasks/motion/kind";
 import {with_view, type Pin} from "./problem";

@@ -1,6 +1,6 @@
 // What undo restores, as a value, and what can be asked of it without the engine.
 import {places_of, settled} from "../engine/axis";
-import type {Axes, Picked, TauPair} from "../engine/protocol";
+import type {Axes, Picked, TauPair} from "../contract/messages";
 import {map_of} from "../tasks/kinds";
 import {same_question, with_view, type Pin, type Problem} from "./problem";
 import {same_value} from "./task";

@@ -1,5 +1,5 @@
 import {describe, expect, it} from "vitest";
-import {state_columns, state_width, type Drive} from "../engine/protocol";
+import {state_columns, state_width, type Drive} from "../contract/messages";
 import {angle_at_stage, joints_at, row_count, row_joints, row_state, stage_at_angle, state_at, travel} from "./drive";
 
 /** Angles −10…50; every other column is a line of the angle. Positions at 0, 20, 30; the fourth is not reached. */

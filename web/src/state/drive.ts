@@ -1,5 +1,5 @@
 // Looking up a drive table: where the linkage is at a driver angle. Nothing is computed here but interpolation.
-import {state_columns, state_width, type Drive, type Point} from "../engine/protocol";
+import {state_columns, state_width, type Drive, type Point} from "../contract/messages";
 
 export type State = Record<(typeof state_columns)[number], number>;
 

@@ -1,6 +1,6 @@
 // The document as it is edited: steps and undo, gestures that become a step when they end, and what happens to a step
 // that the engine refuses.
-import type {Mistake, Picked} from "../engine/protocol";
+import type {Mistake, Picked} from "../contract/messages";
 import {differs, from_problem, with_problem, type Document} from "./document";
 import {History} from "./history";
 import {engine_text, same_question, type Pin, type Problem} from "./problem";

@@ -1,5 +1,5 @@
 import {describe, expect, it} from "vitest";
-import type {Mistake} from "../engine/protocol";
+import type {Mistake} from "../contract/messages";
 import {Editing} from "./editing.svelte";
 import {with_view, type Pin, type Problem} from "./problem";
 import {new_problem} from "../tasks/motion/kind";

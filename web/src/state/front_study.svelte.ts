@@ -1,7 +1,7 @@
 // Two objectives at once: the transmission angle, and the error that tolerances make of it. All cells of the map that meet
 // the requirements, and those that no other beats in both.
 import type {EngineClient} from "../engine/client";
-import type {MapAnswer, Property, Replies, TaskAnswer, TauPair, Window} from "../engine/protocol";
+import type {MapAnswer, Property, Replies, TaskAnswer, TauPair, Window} from "../contract/messages";
 import {Question} from "../questions/question.svelte";
 import type {Questions} from "../questions/questions";
 import {engine_text, type Problem} from "./problem";

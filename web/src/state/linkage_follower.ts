@@ -1,6 +1,6 @@
 // Keeps the linkage in hand and the picked one up to the document and the pointer.
 import {Refusal, type EngineClient} from "../engine/client";
-import type {Linkage, Mistake, Picked, Replies, TauPair} from "../engine/protocol";
+import type {Linkage, Mistake, Picked, Replies, TauPair} from "../contract/messages";
 import {Question} from "../questions/question.svelte";
 import type {Questions} from "../questions/questions";
 import type {Answers} from "./answers.svelte";

@@ -9,7 +9,7 @@ import {
   type Replies,
   type Requests,
   type Window,
-} from "../engine/protocol";
+} from "../contract/messages";
 import type {Questions} from "../questions/questions";
 import type {Answers} from "./answers.svelte";
 import {settled_on, type Document} from "./document";

@@ -1,5 +1,5 @@
 // How this person likes to see things on this machine: kept between visits, not part of the task, not undoable.
-import type {Property} from "../engine/protocol";
+import type {Property} from "../contract/messages";
 import {browser_store} from "./browser_store";
 import {is_number, is_object} from "./shape";
 

@@ -1,6 +1,6 @@
 // The problem file as the page holds it: a plain immutable value. Its normal form and its mistakes come from the engine.
-import type {Options} from "../engine/problem";
-import type {LinkageType, Pivot, Point, Requirements, TauPair} from "../engine/protocol";
+import type {Options} from "../contract/problem";
+import type {LinkageType, Pivot, Point, Requirements, TauPair} from "../contract/messages";
 import {diagonal_of, poses_of, type Pose, type Task} from "./task";
 import type {Tolerances} from "./tolerances";
 

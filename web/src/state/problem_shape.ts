@@ -1,6 +1,6 @@
 // What comes from outside (a link, a file, the browser's store) as a problem, or nothing. The engine says what is wrong
 // with a task; the view, which it keeps and never reads, is looked through here: what does not fit is left out.
-import {linkage_types, type Pivot, type Point, type TauPair} from "../engine/protocol";
+import {linkage_types, type Pivot, type Point, type TauPair} from "../contract/messages";
 import {objective_descriptions, read_task, requirement_descriptions, task_of_poses} from "../tasks/kinds";
 import type {RequirementDescription} from "../tasks/kind";
 import {unused_name} from "./pins";

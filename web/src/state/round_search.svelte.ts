@@ -1,7 +1,7 @@
 // A search in an engine of its own: the page goes on. Rounds of more and more tries, each beginning with those of the round
 // before, so that what was found is there when the search is stopped, and the last is the program's answer.
 import {Crashed, Refusal, type EngineClient} from "../engine/client";
-import type {Ranked, Tidings} from "../engine/protocol";
+import type {Ranked, Tidings} from "../contract/messages";
 import type {TextKey} from "../texts/texts.svelte";
 import type {Workbench} from "./workbench.svelte";
 

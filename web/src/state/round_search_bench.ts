@@ -1,6 +1,6 @@
 // For tests: a workbench whose searches run in an engine that finds so in each round, beside one that knows each linkage.
 import {Cancelled, type EngineClient, type Run} from "../engine/client";
-import type {Replies, Requests} from "../engine/protocol";
+import type {Replies, Requests} from "../contract/messages";
 import type {Problem} from "./problem";
 import {Workbench} from "./workbench.svelte";
 

@@ -3,7 +3,7 @@
 import fc from "fast-check";
 import {afterAll, beforeAll, describe, expect, it, vi} from "vitest";
 import {patience_ms, type EngineClient} from "../engine/client";
-import type {Axis, Kind, RequestMessage, Requests, TauPair} from "../engine/protocol";
+import type {Axis, Kind, RequestMessage, Requests, TauPair} from "../contract/messages";
 import {keep_work, own_slot, read_work, type Store} from "../shell/storage";
 import {new_problem} from "../tasks/motion/kind";
 import {function_kind} from "../tasks/function/kind";

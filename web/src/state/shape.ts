@@ -1,5 +1,5 @@
 // Values that come from outside, looked at one by one.
-import type {Point} from "../engine/protocol";
+import type {Point} from "../contract/messages";
 
 export type Object = Record<string, unknown>;
 

@@ -1,5 +1,5 @@
 // What a linkage is asked to do, as the problem file has it, as far as it is the same for all kinds of tasks.
-import type {Box, Point} from "../engine/protocol";
+import type {Box, Point} from "../contract/messages";
 import {least_of, most_of} from "./ends";
 
 export interface Pose {

@@ -1,6 +1,6 @@
 // What tolerances do to the linkage in hand, once it rests there: by all samples, some of which are drawn.
 import type {EngineClient} from "../engine/client";
-import type {Linkage, Replies, TauPair, ToleranceAnswer, ToleranceFigures} from "../engine/protocol";
+import type {Linkage, Replies, TauPair, ToleranceAnswer, ToleranceFigures} from "../contract/messages";
 import {Question} from "../questions/question.svelte";
 import type {Questions} from "../questions/questions";
 import {same_linkage, same_tau, type LinkageOf} from "./document";

@@ -1,7 +1,7 @@
 // Where nothing is left: the smallest move of one position that leaves something. The halos of all positions say where
 // that could be, a map of the task moved so has the last word.
 import type {EngineClient} from "../engine/client";
-import {whole, type Point, type Property} from "../engine/protocol";
+import {whole, type Point, type Property} from "../contract/messages";
 import {null_if_refused, Question} from "../questions/question.svelte";
 import type {Questions} from "../questions/questions";
 import {poses_of, type Pose} from "./task";

@@ -15,7 +15,7 @@ import {
   type TaskAnswer,
   type TauPair,
   type Window,
-} from "../engine/protocol";
+} from "../contract/messages";
 import type {Incomplete} from "../tasks/kind";
 import {
   has_lengths,

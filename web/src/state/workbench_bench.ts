@@ -1,7 +1,7 @@
 // For tests: the one state with the real engine behind it, in this thread.
 import {afterEach, beforeAll} from "vitest";
 import {load_module} from "../engine/node";
-import type {Kind, ReplyMessage, RequestMessage} from "../engine/protocol";
+import type {Kind, ReplyMessage, RequestMessage} from "../contract/messages";
 import {Engine} from "../engine/serve";
 import {preferences} from "./preferences.svelte";
 import type {Problem} from "./problem";

@@ -1,6 +1,6 @@
 // Has the yields of the map on screen sampled, some cells at a time, and what is known shown between.
 import type {EngineClient} from "../engine/client";
-import type {Replies} from "../engine/protocol";
+import type {Replies} from "../contract/messages";
 import {Question} from "../questions/question.svelte";
 import type {Questions} from "../questions/questions";
 

@@ -1,5 +1,5 @@
 // The engine's refusals, by place in the problem file.
-import type {Mistake} from "../engine/protocol";
+import type {Mistake} from "../contract/messages";
 import {mistake_text} from "../texts/mistakes";
 import {unbroken} from "../texts/numbers";
 import {t} from "../texts/texts.svelte";

@@ -1,6 +1,6 @@
 // What the table does to the list of poses.
 import {in_plane} from "../figure/mechanism";
-import type {Box, Point} from "../engine/protocol";
+import type {Box, Point} from "../contract/messages";
 import {body_point, with_task, type Pin} from "../state/problem";
 import type {Document} from "../state/document";
 import {poses_of, same_task, type Pose, type Task} from "../state/task";

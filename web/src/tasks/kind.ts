@@ -1,5 +1,5 @@
 // What a kind of task brings: the frame asks it through kinds.ts, its views through views.ts, and knows none by name.
-import type {Linkage, LinkageType, Pivot, Point, Property, RequirementKey, Requirements} from "../engine/protocol";
+import type {Linkage, LinkageType, Pivot, Point, Property, RequirementKey, Requirements} from "../contract/messages";
 import type {End} from "../figure/figure";
 import type {Orientation} from "../orientation/orientation";
 import type {Objective, Pin, Problem} from "../state/problem";

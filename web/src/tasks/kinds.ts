@@ -1,5 +1,14 @@
 // What the frame asks the kind of the task at hand.
-import type {Linkage, LinkageType, Notice, Point, Property, RequirementKey, Requirements} from "../engine/protocol";
+import {
+  requirement_keys_of,
+  type Linkage,
+  type LinkageType,
+  type Notice,
+  type Point,
+  type Property,
+  type RequirementKey,
+  type Requirements,
+} from "../contract/messages";
 import {
   round_step,
   with_options,
@@ -132,8 +141,9 @@ export function types_of(task: Task): readonly LinkageType[] {
   return kind_of(task).types;
 }
 /** What can be required of a linkage of this task: a requirement's place among them is its bit. */
-export function requirements_of(task: Task): RequirementKey[] {
-  return Object.keys(kind_of(task).requirements) as RequirementKey[];
+export function requirements_of(task: Task): readonly RequirementKey[] {
+  const of_engine: Readonly<Record<string, readonly RequirementKey[]>> = requirement_keys_of;
+  return of_engine[`${task.kind} ${task.mechanism}`] ?? (Object.keys(kind_of(task).requirements) as RequirementKey[]);
 }
 export function requirement_bit(task: Task, key: RequirementKey): number {
   const place = requirements_of(task).indexOf(key);

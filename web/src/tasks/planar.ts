@@ -1,5 +1,5 @@
 // What the linkages of the plane can be coloured by, required to be and optimised for, whatever they are to do.
-import type {LinkageType, RequirementKey} from "../engine/protocol";
+import type {LinkageType, RequirementKey} from "../contract/messages";
 import {default_max_length, defaults} from "../state/defaults";
 import {length_levels} from "../state/problem";
 import type {ObjectiveDescription, PropertyDescription, RequirementDescription} from "./kind";

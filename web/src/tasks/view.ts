@@ -2,7 +2,7 @@
 import type {Component} from "svelte";
 import type {Handle} from "../drawing/handles";
 import type {Surface} from "../drawing/surface";
-import type {ExportFormat, Linkage, MachineFormat, RequirementKey, Requirements} from "../engine/protocol";
+import type {ExportFormat, Linkage, MachineFormat, RequirementKey, Requirements} from "../contract/messages";
 import type {Mechanism} from "../figure/mechanism";
 import type {Task} from "../state/task";
 import type {Workbench} from "../state/workbench.svelte";

@@ -1,7 +1,7 @@
 import {describe, expect, it} from "vitest";
 import en from "../texts/en.json";
 import zh from "../texts/zh.json";
-import {linkage_types, type Linkage} from "../engine/protocol";
+import {linkage_types, type Linkage} from "../contract/messages";
 import {pictures, type Stroke} from "./pictures";
 import {term_of_defects, term_of_linkage, term_of_type} from "./terms.svelte";
 

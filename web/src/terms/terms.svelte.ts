@@ -1,7 +1,7 @@
 // What a word of the trade means: one sentence and a small picture, shown beside the word that is pointed at, focused or
 // touched. One is open at a time.
 import type {Attachment} from "svelte/attachments";
-import type {Linkage, LinkageType} from "../engine/protocol";
+import type {Linkage, LinkageType} from "../contract/messages";
 import {term_of_kind} from "../tasks/kinds";
 import {pictures, type TermName} from "./pictures";
 

@@ -3,7 +3,7 @@ import {existsSync, readdirSync, readFileSync} from "node:fs";
 import {fileURLToPath} from "node:url";
 import {afterEach, beforeAll, describe, expect, it} from "vitest";
 import {load_module} from "../engine/node";
-import type {Mistake, PlateSizes} from "../engine/protocol";
+import type {Mistake, PlateSizes} from "../contract/messages";
 import {preferences} from "../state/preferences.svelte";
 import en from "./en.json";
 import {mistake_text, mistakes_text} from "./mistakes";

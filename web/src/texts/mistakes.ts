@@ -1,5 +1,5 @@
 // What is wrong with a file, in the language in force.
-import type {Mistake} from "../engine/protocol";
+import type {Mistake} from "../contract/messages";
 import {preferences} from "../state/preferences.svelte";
 import {notice_text, t} from "./texts.svelte";
 

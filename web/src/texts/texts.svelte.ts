@@ -1,4 +1,4 @@
-import type {Notice} from "../engine/protocol";
+import type {Notice} from "../contract/messages";
 import {preferences} from "../state/preferences.svelte";
 
 export type TextKey = keyof typeof import("./en.json");

@@ -1,5 +1,5 @@
 import {describe, expect, it} from "vitest";
-import type {ToleranceFigures} from "../engine/protocol";
+import type {ToleranceFigures} from "../contract/messages";
 import {
   advice_for,
   allocated,

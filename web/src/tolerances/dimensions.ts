@@ -1,5 +1,5 @@
 // The dimensions of a linkage and the tolerances that a problem file gives for them: several dimensions share one.
-import type {ToleranceFigures} from "../engine/protocol";
+import type {ToleranceFigures} from "../contract/messages";
 import {length_entries, length_tolerance, with_length, type LengthEntry, type Tolerances} from "../state/tolerances";
 
 export type Share = ToleranceFigures["sensitivities"][number];

@@ -1,5 +1,5 @@
 // The plane of the two objectives: transmission angle to the right, the error upwards by its logarithm.
-import type {Point} from "../engine/protocol";
+import type {Point} from "../contract/messages";
 import {css_values} from "../state/css_values";
 import {least_of, most_of} from "../state/ends";
 import type {Front, FrontPoint} from "../state/front_study.svelte";

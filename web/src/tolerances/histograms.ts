@@ -1,6 +1,6 @@
 // Small histograms of the errors, one to a position, over one scale.
 import {most_of} from "../state/ends";
-import type {ToleranceAnswer} from "../engine/protocol";
+import type {ToleranceAnswer} from "../contract/messages";
 
 const most_shown = 6;
 

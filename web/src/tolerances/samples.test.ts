@@ -1,5 +1,5 @@
 import {describe, expect, it} from "vitest";
-import type {Linkage, Point} from "../engine/protocol";
+import type {Linkage, Point} from "../contract/messages";
 import {four_bar} from "../figure/four_bar";
 import {count_of, four_bar_links, nominal_of, points_with, sample_paths, type Samples} from "./samples";
 

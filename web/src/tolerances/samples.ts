@@ -1,5 +1,5 @@
 // Linkages as they come out of the workshop, drawn thin over each other in each position.
-import type {Linkage, Point} from "../engine/protocol";
+import type {Linkage, Point} from "../contract/messages";
 import {at_row, type Mechanism, type SampledLink} from "../figure/mechanism";
 import {px, type Projection} from "../figure/paths";
 

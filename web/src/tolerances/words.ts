@@ -1,5 +1,5 @@
 // How tolerances and the errors that they make are said.
-import type {Linkage, ToleranceFigures} from "../engine/protocol";
+import type {Linkage, ToleranceFigures} from "../contract/messages";
 import {limit_of, type Tolerances} from "../state/tolerances";
 import {joints_of, lengths_of} from "../tasks/kinds";
 import {percent_text, significant, with_unit} from "../texts/numbers";

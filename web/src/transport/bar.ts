@@ -1,6 +1,6 @@
 // The scrub bar's scale: driver angles to places along the bar. The whole travel is on it, and the prescribed stretch gets
 // at least three fifths of the length, so that its positions can be told apart where the travel is long.
-import type {Drive} from "../engine/protocol";
+import type {Drive} from "../contract/messages";
 import {travel} from "../state/drive";
 import {stops_of, task_span, type Stop} from "./play";
 

@@ -1,5 +1,5 @@
 // How the drive runs by itself: which stretch, how fast, what happens at its ends. Time comes in, an angle goes out.
-import type {Drive} from "../engine/protocol";
+import type {Drive} from "../contract/messages";
 import {angle_of_row, travel} from "../state/drive";
 import type {Workbench} from "../state/workbench.svelte";
 import {least_of, most_of} from "../state/ends";

@@ -1,5 +1,5 @@
 // What the plot shows: columns of the drive table over the driver angle, or the path of the body.
-import {state_columns, type Drive, type Linkage} from "../engine/protocol";
+import {state_columns, type Drive, type Linkage} from "../contract/messages";
 import {angle_of_row, row_count, state_at} from "../state/drive";
 import type {TextKey} from "../texts/texts.svelte";
 import {played_span, stops_of} from "./play";

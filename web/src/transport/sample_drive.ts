@@ -1,4 +1,4 @@
-import {state_columns, state_width, type Drive} from "../engine/protocol";
+import {state_columns, state_width, type Drive} from "../contract/messages";
 import type {State} from "../state/drive";
 
 /** For tests: a drive whose rows are given by some of their columns. */

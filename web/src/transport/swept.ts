@@ -1,4 +1,4 @@
-import type {Drive, Linkage} from "../engine/protocol";
+import type {Drive, Linkage} from "../contract/messages";
 import {at_row, type Configuration, type Mechanism} from "../figure/mechanism";
 import {angle_of_row, row_count} from "../state/drive";
 import {played_span} from "./play";

@@ -1,12 +1,12 @@
 // A kind of task that is none: a body on one hinge. For the test that the frame takes a kind that it has never heard of,
 // with its own stage, what can be required in its own way, and no map.
-import type {Linkage, Point} from "../../src/engine/protocol";
+import type {Linkage, Point} from "../../src/contract/messages";
 import type {Problem} from "../../src/state/problem";
 import {is_number, is_pair} from "../../src/state/shape";
 import type {Task} from "../../src/state/task";
 import type {TaskModule} from "../../src/tasks/kind";
 
-declare module "../../src/engine/protocol" {
+declare module "../../src/contract/messages" {
   interface Requirements {
     max_swing_deg?: number | null;
   }

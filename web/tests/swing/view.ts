@@ -1,6 +1,6 @@
 import {empty_figure, type Figure} from "../../src/figure/figure";
 import {in_plane} from "../../src/figure/mechanism";
-import type {Point} from "../../src/engine/protocol";
+import type {Point} from "../../src/contract/messages";
 import type {TaskView} from "../../src/tasks/view";
 import Editor from "./Editor.svelte";
 import Picture from "./Picture.svelte";

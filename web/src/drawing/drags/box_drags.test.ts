@@ -1,5 +1,5 @@
 import {expect, it} from "vitest";
-import type {Box} from "../../engine/protocol";
+import type {Box} from "../../contract/messages";
 import {nudged_box} from "./box_drags";
 
 it("arrow keys move a box or an edge of it, never one edge past the other", () => {

@@ -1,5 +1,5 @@
 // Requirement boxes: drawn with a rubber band, moved and resized at their borders.
-import type {Box, Point} from "../../engine/protocol";
+import type {Box, Point} from "../../contract/messages";
 import {with_options, with_requirements, type Problem} from "../../state/problem";
 import type {BoxName, Edges, Target} from "../handles";
 import {edge_cursor} from "../handles";

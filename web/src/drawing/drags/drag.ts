@@ -1,4 +1,4 @@
-import type {Point} from "../../engine/protocol";
+import type {Point} from "../../contract/messages";
 import type {Keys} from "../snapping";
 import type {Plane} from "../space";
 

@@ -1,5 +1,5 @@
 // The body's outline: corners are dragged, midpoints become corners.
-import type {Point} from "../../engine/protocol";
+import type {Point} from "../../contract/messages";
 import {body_point, outline_of, with_view, type Problem} from "../../state/problem";
 import type {Target} from "../handles";
 import {point_note} from "../notes";

@@ -1,5 +1,5 @@
 // The picture behind the drawing: it is dragged as a whole, and turned by its knob.
-import type {Point} from "../../engine/protocol";
+import type {Point} from "../../contract/messages";
 import {placed, with_view, type Background} from "../../state/problem";
 import {t} from "../../texts/texts.svelte";
 import {center_of, turned} from "../background";

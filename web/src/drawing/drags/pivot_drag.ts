@@ -1,5 +1,5 @@
 // A pivot of the picked linkage slides along its curve; the engine's answer puts it exactly there.
-import type {Point} from "../../engine/protocol";
+import type {Point} from "../../contract/messages";
 import {coordinate_of, with_side} from "../../engine/axis";
 import {body_point, placed} from "../../state/problem";
 import type {Spot} from "../curve_samples";

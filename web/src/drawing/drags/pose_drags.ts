@@ -1,5 +1,5 @@
 // Dragging a position: its place, its angle, its direction and curvature of travel.
-import type {Point} from "../../engine/protocol";
+import type {Point} from "../../contract/messages";
 import type {Problem} from "../../state/problem";
 import {poses_of, type Pose} from "../../state/task";
 import {with_bend, with_travel} from "../../task/travel";

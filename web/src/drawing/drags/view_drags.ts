@@ -1,5 +1,5 @@
 // Dragging the paper itself.
-import type {Point} from "../../engine/protocol";
+import type {Point} from "../../contract/messages";
 import {panned} from "../viewport";
 import type {Bench} from "../bench";
 import type {Drag} from "./drag";

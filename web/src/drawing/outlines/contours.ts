@@ -1,5 +1,5 @@
 // Where more than two ends of chains meet: the closed lines around all that hangs together there.
-import type {Point} from "../../engine/protocol";
+import type {Point} from "../../contract/messages";
 import type {Stroke} from "./strokes";
 
 /** A chain in one direction: `2 * chain`, or `+ 1` from its last point. */

@@ -2,7 +2,7 @@
 // the limits are ours.
 import parse from "dxf/lib/parseString";
 import type {DxfEntity, DxfInsert, DxfVertex} from "dxf/lib/parseString";
-import type {Point} from "../../engine/protocol";
+import type {Point} from "../../contract/messages";
 import {flattened, Refused, Strokes, type Drawn} from "./strokes";
 
 type Place = (point: Point) => Point;

@@ -1,5 +1,5 @@
 // The shapes of a drawing that can be a body: its strokes joined end to end, the sheet's frame told from the parts.
-import type {Point} from "../../engine/protocol";
+import type {Point} from "../../contract/messages";
 import {outer_contours} from "./contours";
 import {off_chord, size_of, type Drawn, type Stroke} from "./strokes";
 

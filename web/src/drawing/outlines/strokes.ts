@@ -1,6 +1,6 @@
 // What a drawing of another program is made of, whatever its format: runs of straight strokes, y up, in the file's unit.
 // Curves are flattened: no chord leaves its curve by more than a thousandth of the curve's size.
-import type {Point} from "../../engine/protocol";
+import type {Point} from "../../contract/messages";
 
 export interface Stroke {
   points: Point[];

@@ -1,7 +1,7 @@
 // The strokes of an SVG file. The library reads and transforms paths; which shapes are drawn, and where, is told by the tree,
 // which is only read and never shown.
 import svgpath from "svgpath";
-import type {Point} from "../../engine/protocol";
+import type {Point} from "../../contract/messages";
 import {flattened, Refused, Strokes, type Drawn} from "./strokes";
 
 type Matrix = readonly [number, number, number, number, number, number];

@@ -1,5 +1,5 @@
 // The marks of the dials and the ground pivots, as one takes hold of them on the drawing.
-import type {Side} from "../../engine/protocol";
+import type {Side} from "../../contract/messages";
 import {Way, type Drag} from "../../drawing/drags/drag";
 import {task_handle, type Handle} from "../../drawing/handles";
 import {angle_note, point_note} from "../../drawing/notes";

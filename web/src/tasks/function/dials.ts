@@ -1,5 +1,5 @@
 // The dials about the ground pivots: a mark to each pair, in the direction that the link has there.
-import type {Point, Side} from "../../engine/protocol";
+import type {Point, Side} from "../../contract/messages";
 import type {DegreePair} from "./replies";
 import type {Surface} from "../../drawing/surface";
 import {ground_pivots_of} from "./kind";

@@ -1,5 +1,5 @@
 import {expect, it} from "vitest";
-import type {Linkage} from "../../engine/protocol";
+import type {Linkage} from "../../contract/messages";
 import {driver_angle, error_at, error_plot} from "./error_plot";
 import {plot_csv} from "../../transport/plot";
 

@@ -1,5 +1,5 @@
 // What a generator makes wrong, over the driver angle as the other plots have it.
-import type {Linkage} from "../../engine/protocol";
+import type {Linkage} from "../../contract/messages";
 import {significant} from "../../texts/numbers";
 import {t} from "../../texts/texts.svelte";
 import {extent, type Dial, type OwnPlot, type Plot} from "../../transport/plot";

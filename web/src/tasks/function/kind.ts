@@ -1,5 +1,5 @@
 // The output link of a four-bar turns with its input link as prescribed: by pairs of angles, or by a function.
-import type {Point} from "../../engine/protocol";
+import type {Point} from "../../contract/messages";
 import type {Problem} from "../../state/problem";
 import {is_number, is_object, is_pair, present, read_list, type Object} from "../../state/shape";
 import {diagonal_of, pattern_of, position_count, type Range} from "../../state/task";

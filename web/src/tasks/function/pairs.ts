@@ -1,5 +1,5 @@
 // The pairs of angles of a function task, whether they are given or taken from a named function.
-import type {Point, Side} from "../../engine/protocol";
+import type {Point, Side} from "../../contract/messages";
 import type {DegreePair} from "./replies";
 import type {AnglePair, AngleTask, FreeParameter, FunctionTask, NamedFunction} from "./task";
 import type {Desk} from "../../drawing/surface";

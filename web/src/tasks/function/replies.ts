@@ -1,8 +1,7 @@
 // What the engine says of function generators, beside what it says of every task and linkage.
-declare module "../../engine/protocol" {
-  interface TaskAnswer {
-    function: WantedFunction | null; // null: of other kinds
-  }
+export type {WantedFunction} from "../../contract/replies";
+
+declare module "../../contract/messages" {
   interface Linkage {
     function: GeneratedFunction | null;
   }
@@ -13,11 +12,6 @@ declare module "../../engine/protocol" {
 
 /** Input and output angle, degrees on the task's dials. */
 export type DegreePair = readonly [input: number, output: number];
-export interface WantedFunction {
-  pairs: DegreePair[];
-  /** The named function over its range of inputs; empty where only pairs are given. */
-  curve: DegreePair[];
-}
 /** What a four-bar makes of it, its free number as it is there. Null: the drive does not get there. */
 export interface GeneratedFunction {
   pairs: (readonly [input: number, wanted: number, error: number | null])[];

@@ -1,5 +1,5 @@
 // As the problem file has it.
-import type {Point} from "../../engine/protocol";
+import type {Point} from "../../contract/messages";
 import type {Range, Task} from "../../state/task";
 
 export interface AnglePair {

@@ -1,5 +1,5 @@
 // Linkage files: what of a file is the linkage, its numbers one by one, and the file that the program reads.
-import type {Point} from "../../engine/protocol";
+import type {Point} from "../../contract/messages";
 import type {Problem} from "../../state/problem";
 import {is_finite, is_object, present, type Object} from "../../state/shape";
 import {is_linkage, mechanisms, type LinkageMechanism, type LinkageTask} from "./task";

@@ -1,5 +1,5 @@
 // The linkage's pivots in position 1, as one takes hold of them on the drawing.
-import type {Point} from "../../engine/protocol";
+import type {Point} from "../../contract/messages";
 import {Way} from "../../drawing/drags/drag";
 import {task_handle, type Handle} from "../../drawing/handles";
 import {point_note} from "../../drawing/notes";

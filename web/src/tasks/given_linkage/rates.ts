@@ -1,5 +1,5 @@
 // How fast a driven linkage moves: the engine's rates, which are of a driver of one radian per second, at its speed.
-import type {Linkage} from "../../engine/protocol";
+import type {Linkage} from "../../contract/messages";
 import {angle_of_row, row_at} from "../../state/drive";
 import {significant} from "../../texts/numbers";
 import {t} from "../../texts/texts.svelte";

@@ -1,5 +1,5 @@
 import {describe, expect, it} from "vitest";
-import type {Linkage} from "../../engine/protocol";
+import type {Linkage} from "../../contract/messages";
 import type {Problem} from "../../state/problem";
 import {poses_of} from "../../state/task";
 import {properties_of} from "../kinds";

@@ -1,5 +1,5 @@
 // What is given beside three positions: its forms, and what of it can be seen and dragged.
-import type {Linkage, Point, Side} from "../../engine/protocol";
+import type {Linkage, Point, Side} from "../../contract/messages";
 import {poses_extent, round_step, with_task, type Problem} from "../../state/problem";
 import {poses_of, position_count} from "../../state/task";
 import {given_lines, given_pivots, lines_of, pivot_of, pivots_of} from "./pivots";

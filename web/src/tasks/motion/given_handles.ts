@@ -1,6 +1,6 @@
 // What is given beside three positions, as one takes hold of it on the drawing: rings for lengths, a wedge for the angle,
 // a cross for the instant centre.
-import type {Point, Side} from "../../engine/protocol";
+import type {Point, Side} from "../../contract/messages";
 import {Way} from "../../drawing/drags/drag";
 import {task_handle, type Handle} from "../../drawing/handles";
 import {angle_note, length_note, point_note} from "../../drawing/notes";

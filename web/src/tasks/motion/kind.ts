@@ -1,5 +1,5 @@
 // A body is guided through three, four or five positions by a four-bar.
-import type {Point} from "../../engine/protocol";
+import type {Point} from "../../contract/messages";
 import {length_levels, outline_of, placed, with_requirements, type Problem} from "../../state/problem";
 import {is_number, is_object, is_pair, present, read_list, type Object} from "../../state/shape";
 import {diagonal_of, pattern_of, poses_of, position_count, served_poses, type Pose} from "../../state/task";

@@ -1,5 +1,5 @@
 // Given pivots and lines of pivots: what three positions, and lines what four, give beside the poses.
-import type {Linkage, Point, Side} from "../../engine/protocol";
+import type {Linkage, Point, Side} from "../../contract/messages";
 import {is_number, is_object, is_pair} from "../../state/shape";
 import type {Given, Line, PivotKind, PivotLines, PivotOnLine, SinglePivots} from "./task";
 

@@ -1,5 +1,5 @@
 // As the problem file has it.
-import type {Point, Side} from "../../engine/protocol";
+import type {Point, Side} from "../../contract/messages";
 import type {Pose, Task} from "../../state/task";
 
 export type PivotKind = "ground" | "moving";

@@ -1,5 +1,5 @@
 import {describe, expect, it} from "vitest";
-import type {Linkage, Point} from "../../engine/protocol";
+import type {Linkage, Point} from "../../contract/messages";
 import type {Chain} from "./task";
 import type {SixBar} from "./replies";
 import {body_point, placed} from "../../state/problem";

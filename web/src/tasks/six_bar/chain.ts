@@ -1,5 +1,5 @@
 // The chain that guides the body, and the two links that are added to it.
-import type {Box, Point} from "../../engine/protocol";
+import type {Box, Point} from "../../contract/messages";
 import type {Topology} from "./replies";
 import {is_six_bar, type Chain, type SixBarTask} from "./task";
 import {body_point, outline_of, placed, with_task, type Problem} from "../../state/problem";

@@ -1,5 +1,5 @@
 // The chain's hinges in position 1, as one takes hold of them on the drawing.
-import type {Point} from "../../engine/protocol";
+import type {Point} from "../../contract/messages";
 import {Way, type Drag} from "../../drawing/drags/drag";
 import {task_handle, type Handle, type TaskPart} from "../../drawing/handles";
 import {point_note} from "../../drawing/notes";

@@ -2,7 +2,7 @@
 import {beforeAll, expect, it} from "vitest";
 import {load_module} from "../../engine/node";
 import {Engine} from "../../engine/serve";
-import {whole, type Kind, type Replies, type Requests} from "../../engine/protocol";
+import {whole, type Kind, type Replies, type Requests} from "../../contract/messages";
 import {examples} from "../../gallery/gallery";
 import {engine_text} from "../../state/problem";
 import {six_bar_kind} from "./kind";

@@ -1,5 +1,5 @@
 // A six-bar as it is drawn: bodies 1 to 3 of the chain, and the two added links in the colours of the map's axes.
-import type {Linkage, Point, Side} from "../../engine/protocol";
+import type {Linkage, Point, Side} from "../../contract/messages";
 import {row_joints} from "../../state/drive";
 import {empty_figure, ground, type Body, type Ends, type Figure, type Joint, type Role} from "../../figure/figure";
 import {frame} from "../../figure/four_bar";

@@ -1,5 +1,5 @@
 // A body is guided through four poses by a six-bar: a chain of three links and two links that are added to it.
-import type {Point} from "../../engine/protocol";
+import type {Point} from "../../contract/messages";
 import {body_color, joint_color, joint_words, length_words} from "./names";
 import {is_six_bar, type Chain, type SixBarTask} from "./task";
 import type {Problem} from "../../state/problem";

@@ -1,8 +1,8 @@
 // What the engine says of six-bars, beside what it says of every linkage.
-import type {Point} from "../../engine/protocol";
+import type {Point} from "../../contract/messages";
 import type {Chain} from "./task";
 
-declare module "../../engine/protocol" {
+declare module "../../contract/messages" {
   interface Linkage {
     six_bar?: SixBar; // of six-bars only
   }

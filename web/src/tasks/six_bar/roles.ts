@@ -1,5 +1,5 @@
 // What the parts of a six-bar are: the driver, the two added links as the axes of the map, the rest of the chain.
-import type {Side} from "../../engine/protocol";
+import type {Side} from "../../contract/messages";
 import type {End, Role} from "../../figure/figure";
 
 export const added = {input: 4, output: 5} as const; // bodies

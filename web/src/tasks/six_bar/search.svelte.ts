@@ -1,5 +1,5 @@
 // Looks for a chain, in rounds of more and more chains.
-import type {Box, Linkage, Ranked, TauPair} from "../../engine/protocol";
+import type {Box, Linkage, Ranked, TauPair} from "../../contract/messages";
 import type {Chain, SixBarTask} from "./task";
 import {engine_text, with_options, type Problem} from "../../state/problem";
 import {without_unmet} from "../kinds";

@@ -1,7 +1,7 @@
 import {readFileSync} from "node:fs";
 import {describe, expect, it} from "vitest";
 import {Crashed} from "../../engine/client";
-import type {Replies} from "../../engine/protocol";
+import type {Replies} from "../../contract/messages";
 import {with_options, type Problem} from "../../state/problem";
 import {searching_workbench} from "../../state/round_search_bench";
 import {new_problem as new_motion} from "../motion/kind";

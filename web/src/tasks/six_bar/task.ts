@@ -1,5 +1,5 @@
 // As the problem file has it.
-import type {Point} from "../../engine/protocol";
+import type {Point} from "../../contract/messages";
 import type {Pose, Task} from "../../state/task";
 
 /** Hinges of the chain that guides a six-bar's body, in position 1, fixed frame. */

@@ -1,5 +1,5 @@
 // A spherical four-bar as it is drawn flat: in lists, comparisons, films and thumbnails, seen as the stage is at first.
-import type {Linkage, Pivot, Point} from "../../engine/protocol";
+import type {Linkage, Pivot, Point} from "../../contract/messages";
 import {empty_figure, type Body, type Figure, type Joint, type Role} from "../../figure/figure";
 import {four_bar_words} from "../../figure/four_bar";
 import type {Configuration, Mechanism} from "../../figure/mechanism";

@@ -1,6 +1,6 @@
 import {describe, expect, it} from "vitest";
 import {incompleteness, kind_of, lengths_of, joints_of, read_task} from "../kinds";
-import type {Linkage} from "../../engine/protocol";
+import type {Linkage} from "../../contract/messages";
 import {is_cone} from "./kind";
 import {with_next_rate, with_orientations, without_rate, type PrescribedOrientation, type SphericalTask} from "./task";
 

@@ -1,5 +1,5 @@
 // A body is turned through orientations about a point by a spherical four-bar.
-import type {LinkageType} from "../../engine/protocol";
+import type {LinkageType} from "../../contract/messages";
 import {form_names, form_of, read_orientation, read_vector} from "../../orientation/orientation";
 import type {Vec3} from "../../sphere/vectors";
 import {with_requirements, type Pin} from "../../state/problem";

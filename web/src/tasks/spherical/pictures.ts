@@ -1,5 +1,5 @@
 // What stands on the stage of a spherical task, part by part: each is made anew only when what it shows has changed.
-import type {Linkage, Live, Side, TaskAnswer} from "../../engine/protocol";
+import type {Linkage, Live, Side, TaskAnswer} from "../../contract/messages";
 import {task_rows} from "../../figure/mechanism";
 import {row_count} from "../../state/drive";
 import type {Pin} from "../../state/problem";

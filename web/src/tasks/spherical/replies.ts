@@ -1,7 +1,7 @@
 // What the engine says of spherical linkages, beside what it says of every linkage (engine/adapter.ts).
 import type {Vec3} from "../../sphere/vectors";
 
-declare module "../../engine/protocol" {
+declare module "../../contract/messages" {
   interface Properties {
     min_link_angle_deg: number; // least of the four arcs and their supplements
   }

@@ -1,5 +1,5 @@
 import {describe, expect, it} from "vitest";
-import type {ToleranceAnswer} from "../../engine/protocol";
+import type {ToleranceAnswer} from "../../contract/messages";
 import {length, type Vec3} from "../../sphere/vectors";
 import {samples_picture} from "./samples";
 

@@ -1,5 +1,5 @@
 // Spherical four-bars as they come out of the workshop: the arcs of their moving links in each position.
-import type {ToleranceAnswer} from "../../engine/protocol";
+import type {ToleranceAnswer} from "../../contract/messages";
 import type {Item} from "../../sphere/item";
 import {unit, type Vec3} from "../../sphere/vectors";
 

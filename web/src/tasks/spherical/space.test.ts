@@ -1,5 +1,5 @@
 import {describe, expect, it} from "vitest";
-import type {Drive, Linkage} from "../../engine/protocol";
+import type {Drive, Linkage} from "../../contract/messages";
 import {picture_of} from "../../exports/picture";
 import {column, dot, length, unit, type Vec3} from "../../sphere/vectors";
 import {spherical_four_bar} from "./figure";

@@ -1,5 +1,5 @@
 // A spherical linkage in one state of its drive, and where its links lie: for drawing. The states are the engine's.
-import type {Drive, Linkage} from "../../engine/protocol";
+import type {Drive, Linkage} from "../../contract/messages";
 import {joints_at, row_count, row_joints} from "../../state/drive";
 import {
   any_normal,

@@ -1,6 +1,6 @@
 // The scales of input and output on the sphere: circles about the fixed axes with a mark to each pair, where the link's
 // arc crosses the circle there.
-import type {Linkage, Side} from "../../engine/protocol";
+import type {Linkage, Side} from "../../contract/messages";
 import type {Item, Label, SphereColor} from "../../sphere/item";
 import {any_normal, arc, cross, dot, minus, plus, times, unit, type Vec3} from "../../sphere/vectors";
 import type {DegreePair} from "../function/replies";

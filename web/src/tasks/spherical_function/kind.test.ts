@@ -1,5 +1,5 @@
 import {describe, expect, it} from "vitest";
-import type {Linkage} from "../../engine/protocol";
+import type {Linkage} from "../../contract/messages";
 import {dot, length, minus, type Vec3} from "../../sphere/vectors";
 import {with_options, type Problem} from "../../state/problem";
 import type {NamedFunction} from "../function/task";

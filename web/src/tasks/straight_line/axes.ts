@@ -1,5 +1,5 @@
 // How far the axes of a map run: the engine's ticks tell it, options.window sets it.
-import type {Axes, Axis, Side} from "../../engine/protocol";
+import type {Axes, Axis, Side} from "../../contract/messages";
 import type {Range} from "../../state/task";
 
 function rounded(value: number): number {

@@ -1,5 +1,5 @@
 // What is given beside the line in each case, and how a new one begins.
-import type {Point} from "../../engine/protocol";
+import type {Point} from "../../contract/messages";
 import {most_of} from "../../state/ends";
 import type {TextKey} from "../../texts/texts.svelte";
 import type {CaseName, Contact, GivenNumbers, GivenPivots, Line, StraightLineTask} from "./task";

@@ -6,7 +6,7 @@ import {join} from "node:path";
 import {fileURLToPath} from "node:url";
 import {beforeAll, describe, expect, it} from "vitest";
 import {load_module} from "../../engine/node";
-import {whole, type Kind, type MapAnswer, type Replies, type Requests, type TauPair} from "../../engine/protocol";
+import {whole, type Kind, type MapAnswer, type Replies, type Requests, type TauPair} from "../../contract/messages";
 import {Engine} from "../../engine/serve";
 import {examples} from "../../gallery/gallery";
 import {row_state} from "../../state/drive";

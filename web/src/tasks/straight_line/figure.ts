@@ -1,5 +1,5 @@
 // A four-bar whose coupler carries the point that runs straight: the coupler is a plate with the point as its third corner.
-import type {Linkage, Point} from "../../engine/protocol";
+import type {Linkage, Point} from "../../contract/messages";
 import type {Body, Figure, Joint} from "../../figure/figure";
 import {four_bar} from "../../figure/four_bar";
 import {in_plane, type Mechanism} from "../../figure/mechanism";

@@ -1,5 +1,5 @@
 import {describe, expect, it} from "vitest";
-import type {Axis, Point} from "../../engine/protocol";
+import type {Axis, Point} from "../../contract/messages";
 import {range_of, window_of} from "./axes";
 import {along_line, beside, form_of, forms, size_of, with_form} from "./cases";
 import {pattern_of_contacts, patterns, with_pattern} from "./contacts";

@@ -1,5 +1,5 @@
 // A point of a four-bar's coupler runs along a line.
-import type {Linkage, Point} from "../../engine/protocol";
+import type {Linkage, Point} from "../../contract/messages";
 import {length_levels, type Problem} from "../../state/problem";
 import {is_number, is_object, is_pair, present, read_list, type Object} from "../../state/shape";
 import {significant} from "../../texts/numbers";

@@ -1,5 +1,5 @@
 // The line and the given pivots, as one takes hold of them on the drawing.
-import type {Point} from "../../engine/protocol";
+import type {Point} from "../../contract/messages";
 import {Way, type Drag} from "../../drawing/drags/drag";
 import {task_handle, type Handle} from "../../drawing/handles";
 import {angle_note, point_note} from "../../drawing/notes";

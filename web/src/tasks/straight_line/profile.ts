@@ -1,5 +1,5 @@
 // The path of the point beside its line, and how fast it runs: what the plots and the magnifier show.
-import type {Drive, Linkage} from "../../engine/protocol";
+import type {Drive, Linkage} from "../../contract/messages";
 import {state_at} from "../../state/drive";
 import type {Problem} from "../../state/problem";
 import {significant} from "../../texts/numbers";

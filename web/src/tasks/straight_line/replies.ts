@@ -1,9 +1,9 @@
 // What the engine says of linkages with a point that runs straight (engine/adapter.ts).
-import type {LinkageType, Point} from "../../engine/protocol";
+import type {LinkageType, Point} from "../../contract/messages";
 import type {Range} from "../../state/task";
 import type {StraightLineTask} from "./task";
 
-declare module "../../engine/protocol" {
+declare module "../../contract/messages" {
   interface Properties {
     stroke_over_longest: number;
     usable_stroke: number;

@@ -1,5 +1,5 @@
 // Looks over all cases for linkages that run straight over a stroke; each lies on a map of its own case.
-import type {Linkage, Ranked, TauPair} from "../../engine/protocol";
+import type {Linkage, Ranked, TauPair} from "../../contract/messages";
 import {defaults} from "../../state/defaults";
 import {engine_text, with_options, with_task, type Problem} from "../../state/problem";
 import {without_unmet} from "../kinds";

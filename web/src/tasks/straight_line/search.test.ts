@@ -1,5 +1,5 @@
 import {describe, expect, it} from "vitest";
-import type {Replies} from "../../engine/protocol";
+import type {Replies} from "../../contract/messages";
 import {searching_workbench} from "../../state/round_search_bench";
 import {forms, with_form} from "./cases";
 import {straight_line_kind} from "./kind";

@@ -1,9 +1,45 @@
 // What the page and its two engine workers say to each other. All kinematics happens behind these messages, in the
 // C++ engine; the page only draws and words. Angles are degrees where a name ends in _deg, else radians; lengths and
-// points are the user's unit, fixed frame; moving pivots lie as in position 1 unless said otherwise.
-import type {Box, Requirements} from "./problem";
+// points are the user's unit, fixed frame; moving pivots lie as in position 1 unless said otherwise. What comes as text is
+// described by the engine itself (replies.ts); here is what comes in arrays of numbers, and what is asked.
+import type {Requirements} from "./problem";
+import {
+  linkage_types,
+  type Axes,
+  type Census,
+  type CurveKinds,
+  type Defects,
+  type LinkageType,
+  type MachinePlan,
+  type Mistake,
+  type Notice,
+  type PlateSizes,
+  type TaskReply,
+  type ToleranceReply,
+  type Travel,
+} from "./replies";
+import type {Tolerance} from "./result";
 
-export type {Box, Requirements};
+export type {Box, Requirements} from "./problem";
+export type {InsideWindows, Relaxation, Tolerance as ToleranceFigures} from "./result";
+export {axis_quantities, defect_bits, linkage_types, requirement_keys_of, state_columns, state_width} from "./replies";
+export type {
+  Axes,
+  Axis,
+  AxisBlock,
+  AxisQuantity,
+  Branch,
+  Census,
+  Defects,
+  LinkageType,
+  MachinePlan,
+  MissedBox,
+  Mistake,
+  Notice,
+  PlateCrossing,
+  PlateSizes,
+  Special,
+} from "./replies";
 
 /** A cell or a point of the map: coordinates τ along its two axes, that of the input link (input) and the other's
  *  (output) where each has an axis of its own. */
@@ -11,28 +47,12 @@ export type TauPair = readonly [input: number, output: number];
 export type Point = readonly [x: number, y: number];
 /** Where a linkage has a joint: a point of the plane, or a unit vector along an axis through the centre of a sphere. */
 export type Pivot = Point | readonly [x: number, y: number, z: number];
+export type Side = keyof Axes;
 
-export const linkage_types = [
-  "crank_rocker",
-  "rocker_crank",
-  "double_crank",
-  "double_rocker",
-  "triple_rocker_ground",
-  "triple_rocker_input",
-  "triple_rocker_coupler",
-  "triple_rocker_output",
-  "change_point",
-  "degenerate",
-  "triple_rocker",
-] as const; // index = code in the map
-export type LinkageType = (typeof linkage_types)[number];
-export const degenerate = linkage_types.indexOf("degenerate");
-
-export const defect_bits = {order: 1, branch: 2, circuit: 4} as const;
-
-/** What can be required of a linkage. In a cell's bits of what it fails (a degenerate cell has all set), and in counts by
- *  requirement, they come in the order in which the kind of the task has them (tasks/kind.ts). */
+/** What can be required of a linkage. Made-up kinds of tests add theirs. */
 export type RequirementKey = Exclude<keyof Requirements, "respect_direction">;
+
+export const degenerate = linkage_types.indexOf("degenerate");
 
 /** What a colour of the map can stand for, beside the type: values as f32, 0 where not defined, never NaN. Kinds of tasks
  *  add theirs (tasks/<kind>/replies.ts). */
@@ -47,79 +67,8 @@ export interface Properties {
 }
 export type Property = keyof Properties;
 
-/** A sentence to be worded by the page: texts hold `<code>` with {placeholders} for `values`. `message` is the same
- *  sentence in English as the command line prints it, for codes that the texts do not know. */
-export interface Notice {
-  code: string;
-  values: Record<string, number | string>;
-  message: string;
-}
-/** The caller's mistake, as the command line says it: worded like a notice, and where it is. */
-export interface Mistake extends Notice {
-  place: string;
-}
-
 // ---- the task -------------------------------------------------------------------------------------------------
 
-/** A stretch of a map axis in display order. `place` runs over [0, 1] along the whole axis; τ within a block is
- *  piecewise linear through the knots and unwrapped: it may leave the branch's own interval and is to be taken modulo
- *  the branch. */
-export interface AxisBlock {
-  branch: number; // index into branches
-  from: number;
-  to: number; // places, from < to
-  knots: [place: number, tau: number][]; // at least the two ends, rising places, tau strictly monotone
-}
-export interface Branch {
-  /** Of a curve: odd, oval, nodal, line, circle, conic, line_at_infinity, point, center_line, fixed_circle. Of other axes: sheet_1,
-   *  sheet_2, sheet_1_opposite, …, direction_1, …, direct, opposite, range; of straight lines the layers. */
-  name: string;
-  from: number;
-  to: number; // τ
-}
-/** What the coordinate along an axis stands for. */
-export const axis_quantities = [
-  "curve_coordinate", // place on a curve of dyads
-  "burmester_point", // one of a few dyads; each fills a branch
-  "side_direction", // of the grounded link in position 1, degrees
-  "side_length", // of the grounded link
-  "output_scale", // factor on the output's travel
-  "pair_output", // output angle of one pair, degrees
-  "nothing", // one place only
-  // Of straight lines: degrees, or lengths.
-  "link_direction", // of a grounded link's line
-  "link_ray", // from the pole along a grounded link, counted from the pole tangent
-  "point_ray",
-  "pole_height", // off the line
-  "pivot_height",
-  "frame_height", // of the point off the ground link
-  "pivot_distance", // of a ground pivot from the pole, signed
-  "output_arm",
-  "link_length", // signed
-  "crank_length",
-  "point_arm",
-  "crank_range",
-  // Of three positions with given pivots, lengths; a centre is a ground pivot, a circle point a moving one.
-  "center_x", // of the link that is looked for
-  "center_y",
-  "circle_x",
-  "circle_y",
-  "center_on_line", // along the line, from its point on
-  "circle_on_line",
-] as const;
-export type AxisQuantity = (typeof axis_quantities)[number];
-
-export interface Axis {
-  quantity: AxisQuantity;
-  /** What people read along it, at even steps of each branch; null where they read nothing. */
-  ticks: (readonly [tau: number, value: number])[] | null;
-  /** Which of the display orders this is: given back in `explore.order`, it is forced (undo restores the map exactly). */
-  order: number;
-  branches: Branch[];
-  blocks: AxisBlock[];
-}
-export type Side = "input" | "output";
-export type Axes = Record<Side, Axis>;
 /** A linkage of the map. */
 export interface Picked {
   tau: TauPair;
@@ -127,16 +76,6 @@ export interface Picked {
   place: TauPair | null;
 }
 
-/** Marks along the axes and on the curves. */
-export interface Special {
-  kind: "pole" | "node" | "center_at_infinity" | "circle_at_infinity" | "focus";
-  /** pole: the two positions, from 1. */
-  positions?: [number, number];
-  /** Places on the map axis, τ; empty for what is only drawn (a pole that is no circle point of its own, focus). */
-  tau: number[];
-  center: Point | null; // where it lies on the drawing, fixed curve
-  circle: Point | null;
-}
 /** M dyads along all branches of an axis by rising τ, dense enough to draw (evenly by length). Homogeneous (w, x, y) of
  *  unit length, user's frame; a point at infinity has |w| < 1e-9 in the working frame. Each branch is closed. None where
  *  the dyads depend on the other axis as well. */
@@ -146,31 +85,11 @@ export interface DyadPolygon {
   circle: Float64Array; // 3M
   branch: Uint8Array; // M
 }
-/** The Burmester curves; where there are none, what the dyads of the input lie along. */
-export interface Curves extends DyadPolygon {
-  kind: string; // or an axis quantity
-  center_kind: string;
-  kappa: number | null;
-  /** Asymptotes of the two curves as (point, direction), where they have one. */
-  asymptotes: {center: [Point, Point] | null; circle: [Point, Point] | null};
-}
-/** Kinds of tasks add what is theirs (tasks/<kind>/replies.ts), here and to linkages. */
-export interface TaskAnswer {
-  status: "solved" | "no_solution" | "degenerate";
-  reason: Notice | null; // set unless solved
-  pattern: string; // "P-P-P-P"
-  condition: number;
-  characteristic_length: number;
-  warnings: Notice[];
+export type Curves = CurveKinds & DyadPolygon;
+export interface TaskAnswer extends Omit<TaskReply, "curves"> {
   curves: Curves;
   /** Of the output; null: the same as the input's. */
   output_curves: DyadPolygon | null;
-  axes: Axes;
-  /** Both axes carry the same dyads: (u, v) and (v, u) are the same bars, driven from the other side. */
-  symmetric: boolean;
-  specials: Special[];
-  /** Requirements as used, the defaults filled in (null: switched off). */
-  requirements: Requirements;
 }
 
 // ---- the map --------------------------------------------------------------------------------------------------
@@ -182,41 +101,6 @@ export interface Window {
 }
 export const whole: Window = {input: [0, 1], output: [0, 1]};
 
-/** A value that would leave something: a box made larger; null: drop the requirement. */
-export interface Relaxation {
-  requirement: RequirementKey;
-  value: number | Box | null;
-  leaves: number;
-}
-export interface MissedBox {
-  requirement: RequirementKey;
-  nearest: Point;
-  beyond: Point;
-}
-export interface Census {
-  /** Cells (pairs without the diagonal) of each LinkageType; sliders count as degenerate and in nothing else. */
-  types: number[];
-  pairs: number;
-  order: number;
-  branch: number;
-  circuit: number;
-  defect_free: number;
-  meeting: number;
-  /** Cells of each LinkageType that meet everything. */
-  meeting_types: number[];
-  /** By requirement: cells that fail only this one ("without it +N"). */
-  only: number[];
-  /** By requirement: cells left after it and all before it. */
-  left: number[];
-  /** Defect bits of cells that fail by defects: share per kind, for the sentence "64 % fail by order". */
-  relax: Relaxation[]; // dearest first; only if meeting = 0
-  /** The fewest requirements that leave something when they are dropped together; where relaxing one alone would, null. */
-  relax_together: {requirements: RequirementKey[]; leaves: number} | null;
-  /** Boxes that the curve does not enter, its nearest point, and the way to it from the border; only if meeting = 0. */
-  missed_boxes: MissedBox[];
-  /** Linkages looked at inside the windows for hinges, between the cells of the map; only if meeting = 0. */
-  inside: {looked_at: number; meeting: number; is_empty: boolean};
-}
 export interface MapAnswer {
   samples: number; // as asked; an axis of a few places has one row or column to each
   rows: number;
@@ -246,39 +130,9 @@ export interface GroundedLink {
   circle_homogeneous: [number, number, number];
   length: number | null;
 }
-export interface Defects {
-  order: boolean;
-  branch: boolean;
-  circuit: boolean;
-}
-/** One state of the drive: a row of `states`. */
-export const state_columns = [
-  "input_deg", // driver angle from position 1, in the sense of travel positive
-  "ax",
-  "ay", // moving pivot of the input
-  "bx",
-  "by", // moving pivot of the output
-  "x",
-  "y",
-  "theta_deg", // pose of the moving frame
-  "transmission_angle_deg",
-  "coupler_deg", // coupler angle from position 1
-  "output_deg", // output angle from position 1
-  "velocity_ratio", // dψ/dφ, output by input; 0 at a dead point
-  "mechanical_advantage", // output torque over input torque, |dφ/dψ|; 0 where unbounded
-] as const;
-export const state_width = state_columns.length;
-export interface Drive {
+export interface Drive extends Omit<Travel, "dead_points_deg"> {
   /** K × width, by rising input_deg, the prescribed positions among them exactly. */
   states: Float64Array;
-  /** Numbers to a state: state_columns, and of a six-bar x and y of each hinge after them. */
-  width: number;
-  /** One per position: its row, and whether the driver gets there in this assembly. Unreached: state = -1. */
-  ticks: {position: number; state: number; reached: boolean}[];
-  full_turn: boolean; // first and last state are the same place
-  limits: {low: "dead_point" | null; high: "dead_point" | null};
-  /** Prescribed stretch: rows of the first and last position (task), −1 where a defect keeps them apart. */
-  task: [number, number];
 }
 export interface Linkage {
   tau: TauPair;
@@ -295,13 +149,13 @@ export interface Linkage {
   min_transmission_angle_full_turn_deg: number | null;
   driver_sweep_deg: number | null;
   drive_sense: "ccw" | "cw" | "either" | null;
-  dead_points_deg: number[]; // driver angles from position 1
+  dead_points_deg: readonly number[]; // driver angles from position 1
   residual: number; // worst error of a grounded link's length over the positions, user's unit
   /** By how much the freed pose is missed at best, and where the driver stands then; null where none is freed. */
   miss?: {distance: number; angle_deg: number; input_deg: number} | null;
   swapped: {type: LinkageType; defects: Defects; min_transmission_angle_deg: number | null} | null;
   fails: number; // requirement bits
-  tolerance?: ToleranceFigures | null; // by few samples; with tolerances only, null at a dead point
+  tolerance?: Tolerance | null; // by few samples; with tolerances only, null at a dead point
   drive: Drive | null; // null: a slider or zero link
 }
 /** Bits failed along the curve samples of each side when one grounded link is held and the other slides. */
@@ -337,39 +191,7 @@ export interface InstantReport {
 
 // ---- tolerances -----------------------------------------------------------------------------------------------
 
-/** What tolerances do to a linkage, as in a result file. */
-export interface ToleranceFigures {
-  unit: "length" | "degrees"; // of the errors
-  error: number; // to first order
-  error_sampled: number;
-  error_realigned?: number; // of straight lines
-  error_realigned_sampled?: number;
-  beyond_first_order: boolean; // the sampled error is the one that counts
-  worst_case: number;
-  mean_plus_3_sigma: number;
-  mean_plus_3_sigma_realigned?: number;
-  signal_to_noise_db: number | null;
-  yield: number | null; // null: no limit
-  yield_interval: [number, number] | null;
-  not_assembled: number; // share
-  samples: number;
-  seed: number;
-  /** Largest share first. */
-  sensitivities: {
-    parameter: string;
-    tolerance?: number; // half
-    tolerance_deg?: number;
-    share: number;
-    per_position: number[];
-  }[];
-  allocation: {parameter: string; tolerance?: number; tolerance_deg?: number}[] | null;
-}
-export interface ToleranceAnswer {
-  tolerance: ToleranceFigures;
-  /** Errors of samples, a row of counts to each position over one scale: from 0, of lines from the right to the left. */
-  histograms: {from: number; to: number; counts: number[][]};
-  /** Of the samples drawn: of a straight line its ends and the middle. */
-  positions: number;
+export interface ToleranceAnswer extends ToleranceReply {
   /** By sample, position, joint: x and y, on the sphere x, y, z. Joints: of four-bars the input's fixed and moving pivot,
    *  the output's moving and fixed pivot, in the plane and the body's origin; of six-bars the seven hinges and the body's
    *  origin. Samples that do not assemble are left out. */
@@ -382,34 +204,6 @@ export type ExportFormat = "svg" | "dxf" | "csv" | "json" | "result";
 /** Files to make a linkage from, as plates on pins: parts to print, or a drawing (DXF) to cut the plates from; and the
  *  same for simulators of rigid bodies. */
 export type MachineFormat = "3mf" | "stl" | "plates" | "urdf" | "sdf" | "mjcf";
-/** User's unit. About a centre plates are pieces of spherical shells. */
-export interface PlateSizes {
-  width: number;
-  thickness: number;
-  gap: number; // between layers, and between what moves past each other in one
-  pin: number; // diameter
-  clearance: number; // by how much a hole is wider than its pin
-  radius: number; // of the outermost sphere; 0: planar
-}
-/** What runs into what, and at which driver angles. */
-export interface PlateCrossing {
-  body: string;
-  /** What it runs into: the pin of a hinge, or another body's plate. */
-  pin?: string;
-  other?: string;
-  from_deg: number;
-  to_deg: number;
-}
-/** A linkage as plates on pins. Bodies and hinges are called as in the files. */
-export interface MachinePlan {
-  sizes: PlateSizes;
-  /** From the ground, which lies in layer 0 (about a centre the innermost). */
-  layers: [body: string, layer: number][];
-  /** Free of collisions over the whole travel, or at least from the first position to the last. */
-  over: "travel" | "task";
-  crossings: PlateCrossing[];
-}
-
 /** Requests by kind. Every request carries the problem (the file's text); a worker keeps the last and reads it again
  *  only when the text differs. */
 export interface Requests {

@@ -38,7 +38,8 @@ export interface Notice {
   code: string;
   message: string;
 }
-export type CubicKind = "one_branch" | "two_branches" | "nodal" | "line_and_circle" | "line_and_point" | "line_at_infinity_and_conic" | "line_at_infinity_and_lines" | "line" | "every_point";
+export const cubic_kinds = ["one_branch","two_branches","nodal","line_and_circle","line_and_point","line_at_infinity_and_conic","line_at_infinity_and_lines","line","every_point"] as const;
+export type CubicKind = (typeof cubic_kinds)[number];
 export interface Branch {
   name: string;
   from: number;
@@ -195,13 +196,15 @@ export interface Lengths {
   coupler: number;
   output: number;
 }
-export type LinkageType = "crank_rocker" | "rocker_crank" | "double_crank" | "double_rocker" | "triple_rocker_ground" | "triple_rocker_input" | "triple_rocker_coupler" | "triple_rocker_output" | "change_point" | "degenerate" | "triple_rocker";
+export const linkage_types = ["crank_rocker","rocker_crank","double_crank","double_rocker","triple_rocker_ground","triple_rocker_input","triple_rocker_coupler","triple_rocker_output","change_point","degenerate","triple_rocker"] as const;
+export type LinkageType = (typeof linkage_types)[number];
 export interface Defects {
   order: boolean;
   branch: boolean;
   circuit: boolean;
 }
-export type DriveSense = "ccw" | "cw" | "either";
+export const drive_senses = ["ccw","cw","either"] as const;
+export type DriveSense = (typeof drive_senses)[number];
 export interface ErrorCurve {
   input_deg: readonly number[];
   wanted_output_deg: readonly number[];
@@ -215,6 +218,8 @@ export interface Miss {
   angle_deg: number;
   combined: number;
 }
+export const requirement_keys = ["types","no_defects","min_transmission_angle_deg","max_link_ratio","max_length","min_length","ground_pivots_within","moving_pivots_within","min_link_angle_deg","max_link_angle_deg","fixed_axes_within","moving_axes_within","min_stroke","max_deviation","max_tolerance_error","min_yield"] as const;
+export type RequirementKey = (typeof requirement_keys)[number];
 export interface Sensitivity {
   parameter: string;
   tolerance?: number;
@@ -302,7 +307,7 @@ export interface FourBar {
   /** Of a linkage at a picked place (options.at). */
   meets_requirements?: boolean;
   /** The requirements that a linkage at a picked place does not meet; only where there are some. */
-  fails?: readonly string[];
+  fails?: readonly RequirementKey[];
   /** Only with tolerances; null at a dead point. */
   tolerance?: Tolerance | null;
   /** With a defect: which positions it parts, in words. */
@@ -362,7 +367,7 @@ export interface SixBar {
   /** Of a linkage at a picked place (options.at). */
   meets_requirements?: boolean;
   /** The requirements that a linkage at a picked place does not meet; only where there are some. */
-  fails?: readonly string[];
+  fails?: readonly RequirementKey[];
   /** Only with tolerances; null at a dead point. */
   tolerance?: Tolerance | null;
 }
@@ -419,7 +424,7 @@ export interface SphericalFourBar {
   /** Of a linkage at a picked place (options.at). */
   meets_requirements?: boolean;
   /** The requirements that a linkage at a picked place does not meet; only where there are some. */
-  fails?: readonly string[];
+  fails?: readonly RequirementKey[];
   /** Only with tolerances; null at a dead point. */
   tolerance?: Tolerance | null;
   /** Functions with a free number: the value that this linkage has. */
@@ -590,7 +595,7 @@ export interface StraightLineFourBar {
   /** Of a linkage at a picked place (options.at). */
   meets_requirements?: boolean;
   /** The requirements that a linkage at a picked place does not meet; only where there are some. */
-  fails?: readonly string[];
+  fails?: readonly RequirementKey[];
   /** Only with tolerances; null at a dead point. */
   tolerance?: Tolerance | null;
 }
@@ -618,13 +623,13 @@ export interface SphericalWayOut {
   linkage: SphericalFourBar | null;
 }
 export interface Relaxation {
-  requirement: string;
+  requirement: RequirementKey;
   only_this: number;
   /** Of a box, the box made larger; null: drop it. */
   value: number | Box | null;
   leaves: number;
 }
 export interface JointRelaxation {
-  requirements: readonly string[];
+  requirements: readonly RequirementKey[];
   leaves: number;
 }
