@@ -47,7 +47,7 @@ export default defineConfig({
           environment: process.env.DOM ?? "happy-dom",
           environmentOptions: {happyDOM: {width: 1440, height: 900}},
           include: ["src/**/*.dom.test.ts"],
-          setupFiles: ["tests/page/browser.ts", "tests/load_texts.ts"],
+          setupFiles: ["tests/page/browser.ts", "tests/load_texts.ts", "tests/page/hooks.ts"],
         },
       },
     ],

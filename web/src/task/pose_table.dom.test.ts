@@ -1,8 +1,8 @@
 // The table of positions.
 import {beforeEach, expect, test} from "vitest";
 import {
-  all,
   click,
+  faults,
   focus,
   focused,
   get,
@@ -15,10 +15,9 @@ import {
   type_into,
   until,
   until_settled,
-  value,
+  value_of,
   workbench,
 } from "../../tests/page/support";
-
 beforeEach(open_settled);
 
 test("takes arithmetic, units and steps; Enter goes down; undo goes back", async () => {
@@ -44,14 +43,14 @@ test("says what is wrong and keeps the last good value", async () => {
   const before = poses_of_page();
   await type_into("task.y.2", "12elve", "Tab"); // a letter alone is handed on to the page
   expect(get("task.y.2").getAttribute("aria-invalid")).toBe("true");
-  expect(text("task.fault")).toContain(
+  expect(faults()).toContain(
     "must be a number between −1 000 000 000 and 1 000 000 000. The last valid value is kept.",
   );
   expect(poses_of_page()).toEqual(before);
   await focus("task.y.2");
   await press("Escape");
   expect(is_there("task.fault")).toBe(false);
-  expect(value("task.y.2")).toBe("75");
+  expect(value_of("task.y.2")).toBe("75");
   await type_into("task.y.2", "1e10", "Tab");
   expect(is_there("task.fault")).toBe(true);
   await type_into("task.y.2", "75", "Tab");
@@ -62,7 +61,7 @@ test("marks what the engine refuses, here the same pose twice", async () => {
   const before = poses_of_page();
   await paste_into("task.x.2", "0\t0\t0");
   await until(() => is_there("task.fault"));
-  expect(all("task.fault")[0]!.textContent).toContain("Position 2 is the same as an earlier one.");
+  expect(faults()).toContain("Position 2 is the same as an earlier one.");
   expect(get("task.x.2").getAttribute("aria-invalid")).toBe("true");
   expect(poses_of_page()).toEqual(before);
 });
@@ -85,7 +84,7 @@ test("takes a pasted block as one step", async () => {
   ]);
   await press("Control+z");
   await paste_into("task.x.1", "1\t2\t3\n4\tfive\t6");
-  expect(text("task.fault")).toBe("Row 2, column 2: “five” is not a number. Nothing was pasted.");
+  expect(faults()).toBe("Row 2, column 2: “five” is not a number. Nothing was pasted.");
   expect(poses_of_page()).toEqual(before);
 });
 
@@ -146,10 +145,61 @@ test("holds directions and curvatures of travel", async () => {
   await click("task.next_derivative");
   await type_into("task.curvature.2.3", "0.002");
   await type_into("task.direction_deg.2", "60"); // keeps what stands below it
-  expect(value("task.curvature.2.3")).toBe("0.002");
+  expect(value_of("task.curvature.2.3")).toBe("0.002");
   expect(text("task.pattern")).toBe("P-PPPP-P-P");
   await click("task.remove_derivative.2.2");
   expect(text("task.pattern")).toBe("P-PP-P-P");
   await click("task.remove_derivative.2.1");
   expect(poses_of_page()).toEqual(before);
+});
+
+test("what the engine has refused stands as it was typed until it is taken back", async () => {
+  await type_into("task.y.3", "75");
+  await type_into("task.theta_deg.3", "-25");
+  await until_settled();
+  await type_into("task.x.3", "-125"); // now as position 2
+  await until(() => is_there("task.fault"));
+  expect(value_of("task.x.3")).toBe("-125");
+  expect(poses_of_page()[2]!.x).toBe(-220);
+  workbench.zoom({input: [0, 0.5], output: [0, 0.5]}); // another answer of the engine
+  await until_settled();
+  expect(value_of("task.x.3")).toBe("-125");
+  expect(is_there("task.fault")).toBe(true);
+  await focus("task.x.3");
+  await press("Escape");
+  expect(value_of("task.x.3")).toBe("-220");
+  expect(is_there("task.fault")).toBe(false);
+});
+
+test("Tab goes from number to number, row to row; the row's menu opens by a key and moves the row", async () => {
+  const numbers = ["60", "35", "22", "160", "120", "58", "190", "240", "95"];
+  await focus("task.x.2");
+  for (const [i, number] of numbers.entries())
+    await type_into(focused()!, number, i < numbers.length - 1 ? "Tab" : "Enter");
+  const typed = [
+    {x: 0, y: 0, theta_deg: 0},
+    {x: 60, y: 35, theta_deg: 22},
+    {x: 160, y: 120, theta_deg: 58},
+    {x: 190, y: 240, theta_deg: 95},
+  ];
+  expect(poses_of_page()).toEqual(typed);
+  await focus("task.theta_deg.3");
+  await press("Shift+Tab");
+  expect(focused()).toBe("task.y.3");
+
+  await press("Shift+F10");
+  expect(is_there("task.move_up")).toBe(true);
+  await click("task.move_up");
+  expect(poses_of_page()).toEqual([typed[0], typed[2], typed[1], typed[3]]);
+  expect(focused()).toBe("task.y.3");
+});
+
+test("more rows than are taken are refused, and said", async () => {
+  const before = poses_of_page(),
+    rows = (n: number) => Array.from({length: n}, (_, i) => `${i}\t${i}\t${i}`).join("\n");
+  await paste_into("task.x.1", rows(5000));
+  expect(faults()).toContain("5 000 rows are more than the 100 that are taken.");
+  expect(poses_of_page()).toEqual(before);
+  await paste_into("task.x.1", rows(90));
+  expect(text("task.pattern")).toBe("P-P-…-P");
 });

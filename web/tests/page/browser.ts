@@ -1,60 +1,12 @@
 // What a browser has and the DOM of these tests has not. Nothing is laid out or painted in it: every element has the same
 // place, and canvases forget what is drawn on them.
 import {readFile} from "node:fs/promises";
-import {readFileSync} from "node:fs";
 import {join} from "node:path";
-import {create_linkwright, type LinkwrightModule} from "../../src/engine/module";
-import type {ReplyMessage, RequestMessage} from "../../src/engine/protocol";
-import {Engine} from "../../src/engine/serve";
+import {Thread} from "./thread";
 import "fake-indexeddb/auto";
 
 const place = {x: 0, y: 0, width: 800, height: 600};
 const served = (url: URL | string) => join(process.cwd(), new URL(url, location.href).pathname);
-
-// ---- the engine -----------------------------------------------------------------------------------------------------
-
-/** Nobody sees the finest maps, and nothing waits for them: they are as coarse as those before. */
-function coarse_enough(request: RequestMessage): RequestMessage {
-  return request.kind === "explore" ? {...request, samples: Math.min(request.samples, 400)} : request;
-}
-
-let loaded: Promise<LinkwrightModule> | undefined;
-
-/** A worker of the engine (src/engine/worker.ts) in this thread. All have one module: each has a session of its own. */
-class Thread extends EventTarget {
-  onmessage: ((event: MessageEvent<ReplyMessage>) => void) | null = null;
-  onerror: ((event: ErrorEvent) => void) | null = null;
-  private engine: Promise<Engine> | undefined;
-  private dead = false;
-
-  constructor() {
-    super();
-    this.addEventListener("error", (event) => this.onerror?.(event as ErrorEvent));
-  }
-  postMessage(message: RequestMessage | {first?: WebAssembly.Module}): void {
-    if ("kind" in message) setTimeout(() => void this.answer(message));
-    else if (message.first) this.engine = this.begun(message.first);
-  }
-  private async begun(first: WebAssembly.Module): Promise<Engine> {
-    const rest = () => new WebAssembly.Module(readFileSync("src/engine/generated/rest.wasm"));
-    const module = await (loaded ??= create_linkwright({first, rest}));
-    this.say({kind: "ready", version: module.version()});
-    return new Engine(module, (message) => this.say(message));
-  }
-  private async answer(request: RequestMessage): Promise<void> {
-    const engine = await this.engine!;
-    if (!this.dead) this.say(engine.serve(coarse_enough(request)).message);
-  }
-  private say(data: ReplyMessage): void {
-    if (this.dead) return;
-    const event = new MessageEvent("message", {data});
-    this.dispatchEvent(event);
-    this.onmessage?.(event as MessageEvent<ReplyMessage>);
-  }
-  terminate(): void {
-    this.dead = true;
-  }
-}
 
 // ---- pictures -------------------------------------------------------------------------------------------------------
 
@@ -100,6 +52,10 @@ Object.assign(globalThis, {
   ImageData: Pixels,
   Path2D: NoPath,
   fetch: async (url: URL) => new Response(new Uint8Array(await readFile(served(url)))),
+  // Node's reaches the tests that run beside these: to a page there, as from another tab.
+  BroadcastChannel: class {
+    postMessage(): void {}
+  },
   ResizeObserver: class {
     observe(): void {}
     unobserve(): void {}
@@ -117,7 +73,15 @@ Object.assign(HTMLElement.prototype, {
     toggle(this, "closed");
   },
 });
+const {querySelector, querySelectorAll} = Element.prototype,
+  known = (selector: string) => selector.replaceAll(":enabled", ":not(:disabled)");
 Object.assign(Element.prototype, {
+  querySelector(this: Element, selector: string) {
+    return querySelector.call(this, known(selector));
+  },
+  querySelectorAll(this: Element, selector: string) {
+    return querySelectorAll.call(this, known(selector));
+  },
   setPointerCapture() {},
   releasePointerCapture() {},
   getBoundingClientRect: () => new DOMRect(place.x, place.y, place.width, place.height),
