@@ -39,7 +39,7 @@ RANKS = (
 )
 RANK_OF = {folder: rank for rank, folders in enumerate(RANKS) for folder in folders}
 NAMED = ("include", "src", "apps", "bindings", "tests", "bench", "fuzz", "web/src", "web/tests", "web/e2e", "web/site")
-FILE_NAME = re.compile(r"[a-z0-9_]+(\.(test|spec|svelte|d))?\.(cpp|hpp|py|ts)$|[A-Z][A-Za-z0-9]*\.svelte$")
+FILE_NAME = re.compile(r"[a-z0-9_]+(\.(test|dom\.test|spec|svelte|d))?\.(cpp|hpp|py|ts)$|[A-Z][A-Za-z0-9]*\.svelte$")
 PUBLIC = Path("include/linkwright")
 PRIVATE = Path("src")
 WHOLE = PUBLIC / "linkwright.hpp"

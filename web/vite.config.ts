@@ -21,8 +21,6 @@ export default defineConfig({
   build: {outDir: "../build/web", emptyOutDir: true, target: "es2022", chunkSizeWarningLimit: 900},
   worker: {format: "es"},
   test: {
-    include: ["src/**/*.test.ts", "tests/**/*.test.ts"],
-    setupFiles: ["tests/load_texts.ts"],
     // Against hanging alone: ten times what the slowest took on a busy machine.
     testTimeout: 300_000,
     hookTimeout: 600_000,
@@ -30,5 +28,28 @@ export default defineConfig({
     pool: "threads",
     isolate: false,
     maxWorkers: "100%",
+    projects: [
+      {
+        extends: true,
+        test: {
+          name: "node",
+          include: ["src/**/*.test.ts", "tests/**/*.test.ts"],
+          exclude: ["**/*.dom.test.ts"],
+          setupFiles: ["tests/load_texts.ts"],
+        },
+      },
+      {
+        extends: true,
+        resolve: {conditions: ["browser"]},
+        server: {fs: {allow: [".."]}},
+        test: {
+          name: "page",
+          environment: "happy-dom",
+          environmentOptions: {happyDOM: {width: 1440, height: 900}},
+          include: ["src/**/*.dom.test.ts"],
+          setupFiles: ["tests/page/browser.ts", "tests/load_texts.ts", "tests/page/hooks.ts"],
+        },
+      },
+    ],
   },
 });

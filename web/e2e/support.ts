@@ -1,23 +1,16 @@
 // What the browser tests share: a page that must not complain, the page's state, and the program to compare with.
 import {test as base, expect, type Locator, type Page} from "@playwright/test";
-import {execFileSync} from "node:child_process";
-import {mkdirSync, mkdtempSync, readFileSync, rmSync, writeFileSync} from "node:fs";
+import {mkdirSync, readFileSync} from "node:fs";
 import {createRequire} from "node:module";
-import {tmpdir} from "node:os";
-import {dirname, join, resolve} from "node:path";
-import {fileURLToPath} from "node:url";
+import {join} from "node:path";
 import type {TauPair} from "../src/contract/messages";
 import type {Pose} from "../src/state/task";
 import type {Workbench} from "../src/state/workbench.svelte";
 import type {MotionTask} from "../src/tasks/motion/task";
+import {root} from "../tests/program";
 
-const root = resolve(dirname(fileURLToPath(import.meta.url)), "../..");
-const program = process.env.LINKWRIGHT_CLI
-  ? resolve(root, "web", process.env.LINKWRIGHT_CLI)
-  : join(root, "build/release/bin/linkwright");
+export * from "../tests/program";
 const screenshots = join(root, "build/web-screenshots");
-export const examples = join(root, "examples");
-export const bad_problems = join(root, "data/bad_problems");
 
 /** Where the page says what it holds (App.svelte, region/MapCanvas.svelte, solid/SolidView.svelte). */
 interface Hook {
@@ -359,38 +352,4 @@ export async function expect_accessible(page: Page, part = "html"): Promise<void
 export async function keep_screenshot(page: Page, name: string): Promise<void> {
   mkdirSync(screenshots, {recursive: true});
   await page.screenshot({path: join(screenshots, `${name}.png`), animations: "disabled"});
-}
-
-// ---- the program ------------------------------------------------------------------------------------------------
-
-/** Runs `linkwright` with a file made of `content` as its first argument; its standard output. */
-export function run_program(command: string, content: unknown, ...flags: string[]): string {
-  const folder = mkdtempSync(join(tmpdir(), "linkwright-"));
-  try {
-    const file = join(folder, "input.json");
-    writeFileSync(file, typeof content === "string" ? content : JSON.stringify(content));
-    return execFileSync(program, [...command.split(" "), file, ...flags], {
-      encoding: "utf8",
-      maxBuffer: 1 << 28,
-      timeout: 600_000,
-    });
-  } finally {
-    rmSync(folder, {recursive: true});
-  }
-}
-/** The program's result for a problem. */
-export function solve(problem: unknown, ...flags: string[]): any {
-  return JSON.parse(run_program("solve", problem, "-o", "-", ...flags));
-}
-/** The program's analysis of a linkage. */
-export function analyze(linkage: unknown, ...flags: string[]): any {
-  return JSON.parse(run_program("analyze", linkage, "-o", "-", ...flags));
-}
-/** What `linkwright attitude` says: convert, screw or rates. */
-export function attitude_report(of: string, asked: object): any {
-  return JSON.parse(run_program(`attitude ${of}`, {linkwright: 1, ...asked}, "-o", "-"));
-}
-/** A problem of examples/, its comments taken out. */
-export function example(name: string): any {
-  return JSON.parse(readFileSync(join(examples, `${name}.json`), "utf8").replace(/^\s*\/\/.*$/gm, ""));
 }
