@@ -8,8 +8,10 @@ const color = (page: Page, selector: string, property: string) =>
     .first()
     .evaluate((element, name) => getComputedStyle(element).getPropertyValue(name), property);
 
-for (const theme of ["light", "dark"] as const)
-  test(`in forced colours swatches, chips, drive and crosshair are there: ${theme}`, async ({page}) => {
+test("in forced colours swatches, chips, drive and crosshair are there, light and dark; more contrast is given", async ({
+  page,
+}) => {
+  for (const theme of ["light", "dark"] as const) {
     await page.emulateMedia({forcedColors: "active", colorScheme: theme});
     await open_workbench(page);
     const paper = await color(page, "body", "background-color");
@@ -23,11 +25,8 @@ for (const theme of ["light", "dark"] as const)
       expect(await color(page, seen, "background-color"), seen).not.toBe(paper);
     expect(await color(page, ".chip", "border-top-width")).not.toBe("0px");
     await keep_screenshot(page, `forced-colors-${theme}`);
-    await page.emulateMedia({forcedColors: "none", colorScheme: "light"});
-  });
-
-test("more contrast is given where it is asked for", async ({page}) => {
-  await page.emulateMedia({contrast: "more"});
+  }
+  await page.emulateMedia({forcedColors: "none", colorScheme: "light", contrast: "more"});
   await open_workbench(page);
   expect(await color(page, ".card", "border-top-color")).toBe("rgb(90, 100, 112)");
   await keep_screenshot(page, "more-contrast");
