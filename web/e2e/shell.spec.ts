@@ -239,6 +239,7 @@ const kept_question = (page: Page) =>
 
 test("19 · the engine dies in the middle of a map, and nothing is lost", async ({page}) => {
   await open_workbench(page);
+  await until_settled(page);
   await move_a_pose(page);
   await page.waitForFunction(
     () => globalThis.__linkwright!.workbench.is_current && globalThis.__linkwright!.workbench.hand?.fails === 0,
