@@ -17,13 +17,15 @@ import {
 } from "./support";
 import type {MotionTask} from "../src/tasks/motion/task";
 
-/** Map, linkage and the document are those of the same task, and the map has reached its finest. */
+/** Map, linkage and the document are those of the same task, and the finest map is painted. */
 async function until_at_rest(page: Page): Promise<void> {
   await page.waitForFunction(() => {
-    const {workbench} = (globalThis as any).__linkwright;
+    const {workbench, painted_map} = (globalThis as any).__linkwright;
     return (
       !workbench.gesture &&
+      workbench.is_current &&
       workbench.map?.samples === 1000 &&
+      painted_map?.() === workbench.map &&
       workbench.hand?.tau.join() === workbench.document.picked?.tau.join()
     );
   });
@@ -182,6 +184,17 @@ test("a box is drawn where the ground pivots must lie, resized, and both agree w
   expect(await read_state(page, (workbench) => workbench.mode)).toBe("moving_box");
   await page.keyboard.press("Escape");
   expect(await read_state(page, (workbench) => workbench.mode)).toBe("point");
+
+  // It may begin below the banner that asks for it.
+  const before_banner = JSON.stringify(await problem());
+  await page.keyboard.press("r");
+  const banner = (await page.getByTestId("drawing.mode").locator("p").boundingBox())!;
+  await drag(
+    page,
+    {x: banner.x + banner.width / 2, y: banner.y + banner.height / 2},
+    {x: banner.x + banner.width / 2 + 200, y: banner.y + 250},
+  );
+  await expect.poll(async () => JSON.stringify(await problem())).not.toBe(before_banner);
 });
 
 test("a pivot slides along the thick part of its curve: its column of the map goes with it, the row stays", async ({

@@ -1,13 +1,22 @@
 // What the drawing has beside positions and pivots: outlines, traced points, pictures; and handles by keys.
 import type {Locator, Page} from "@playwright/test";
 import type {MotionTask} from "../src/tasks/motion/task";
-import {drag, expect, middle_of, open_workbench, read_state, test, type Pixel} from "./support";
+import {drag, expect, expect_accessible, middle_of, open_workbench, read_state, test, type Pixel} from "./support";
 
 const handle = (page: Page, id: string): Locator => page.getByTestId(`drawing.${id}`);
 const poses = (page: Page) =>
   read_state(page, (workbench) => (workbench.problem.task as MotionTask).poses.map((pose) => ({...pose})));
 async function canvas(page: Page): Promise<Pixel & {width: number; height: number}> {
   return (await page.getByTestId("drawing.canvas").boundingBox())!;
+}
+
+async function give_outline(page: Page, inside: string): Promise<void> {
+  const [chooser] = await Promise.all([
+    page.waitForEvent("filechooser"),
+    page.getByTestId("drawing.outline_file").click(),
+  ]);
+  const drawing = `<svg xmlns="http://www.w3.org/2000/svg" width="210mm" height="297mm" viewBox="0 0 210 297">${inside}</svg>`;
+  await chooser.setFiles({name: "part.svg", mimeType: "image/svg+xml", buffer: Buffer.from(drawing)});
 }
 
 test.beforeEach(async ({page}) => {
@@ -17,7 +26,9 @@ test.beforeEach(async ({page}) => {
   });
 });
 
-test("handles are reached by Tab and moved by the arrow keys", async ({page}) => {
+test("handles go by Tab and by keys, an outline is edited at its corners, traced points draw their curves, a task is clicked together", async ({
+  page,
+}) => {
   await handle(page, "disc_2").focus();
   await page.keyboard.press("ArrowRight");
   await page.keyboard.press("ArrowRight");
@@ -34,12 +45,15 @@ test("handles are reached by Tab and moved by the arrow keys", async ({page}) =>
   await page.keyboard.press("Shift+Tab");
   await expect(handle(page, "disc_2")).toBeFocused();
   expect(await read_state(page, (workbench) => workbench.selected_pose)).toBe(1);
-});
 
-test("the outline is edited at its corners, traced points draw their curves", async ({page}) => {
   await page.getByTestId("drawing.tools").click();
   await page.getByTestId("task.outline").last().click();
   const outline = () => read_state(page, (workbench) => workbench.problem.view?.outline ?? []);
+  await give_outline(page, `<path d="M0 0h80v50h-100z"/><circle cx="70" cy="40" r="8"/>`);
+  await expect(page.getByTestId("outline.choice").getByRole("radio")).toHaveCount(2);
+  await expect_accessible(page, "[data-testid='outline.choice']");
+  await page.keyboard.press("Escape");
+  await expect(page.getByTestId("outline.choice")).toBeHidden();
   const corners = (await outline()).length;
   await handle(page, "midpoint_1").focus();
   const middle = await middle_of(handle(page, "midpoint_1"));
@@ -66,38 +80,19 @@ test("the outline is edited at its corners, traced points draw their curves", as
   await page.keyboard.press("Escape");
   await expect(page.getByTestId("drawing.traced_1")).toBeAttached();
   expect(await read_state(page, (workbench) => workbench.problem.view!.traced!.length)).toBe(1);
-});
 
-test("two positions that are the same are refused in words, the map gone with the marks on it", async ({page}) => {
-  await read_state(page, (workbench) =>
-    workbench.edit((problem) => ({
-      ...problem,
-      task: {...problem.task, poses: (problem.task as MotionTask).poses.slice(0, 3)},
-    })),
-  );
-  await expect(page.getByTestId("region.crosshair_row")).toHaveCount(0);
-  await read_state(page, (workbench) =>
-    workbench.edit((problem) => ({
-      ...problem,
-      task: {...problem.task, poses: [...(problem.task as MotionTask).poses, (problem.task as MotionTask).poses[2]!]},
-    })),
-  );
-  await expect(page.getByTestId("region.notice")).toHaveText(/Position 4 is the same as an earlier one/);
-});
-
-test("an empty task is clicked together", async ({page}) => {
   await read_state(page, (workbench) =>
     workbench.open({linkwright: 1, length_unit: "mm", task: {kind: "motion", mechanism: "four_bar", poses: []}}),
   );
   await expect(page.getByTestId("task.missing")).toBeVisible();
-  const area = await canvas(page);
+  const empty = await canvas(page);
   for (const [x, y] of [
     [0.4, 0.8],
     [0.3, 0.6],
     [0.25, 0.45],
     [0.35, 0.25],
   ])
-    await page.mouse.click(area.x + x! * area.width, area.y + y! * area.height);
+    await page.mouse.click(empty.x + x! * empty.width, empty.y + y! * empty.height);
   expect(await poses(page)).toHaveLength(4);
   for (let k = 2; k <= 4; ++k) {
     await handle(page, `knob_${k}`).focus();

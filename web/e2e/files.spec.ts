@@ -1,19 +1,13 @@
 // Work that leaves the page and comes back: files, the browser's store, links, and files that are none. The numbers of the
 // tests are the walk-throughs'.
 import type {BrowserContext, Page} from "@playwright/test";
-import {closeSync, openSync, readFileSync, writeSync} from "node:fs";
-import {join} from "node:path";
 import {
-  bad_problems,
   example,
-  examples,
   expect,
   file_menu,
   move_a_pose,
-  open_files,
   open_workbench,
   read_state,
-  run_program,
   shown,
   test,
   toasts,
@@ -22,34 +16,6 @@ import {
 import type {MotionTask} from "../src/tasks/motion/task";
 
 // ---- 15 ---------------------------------------------------------------------------------------------------------
-
-test("15 · saved, another task, opened again: all as it was, and the program reads it", async ({page}, info) => {
-  await open_workbench(page);
-  await page.getByTestId("view.language").click();
-  await move_a_pose(page);
-  await shown(page);
-  await read_state(page, (workbench) => workbench.pin());
-  const before = await shown(page);
-  const [download] = await Promise.all([page.waitForEvent("download"), file_menu(page, "file.save")]);
-  const path = info.outputPath(download.suggestedFilename());
-  await download.saveAs(path);
-  const text = readFileSync(path, "utf8");
-  expect(JSON.parse(run_program("solve", text, "-o", "-")).status).toBe("solved");
-
-  await file_menu(page, "file.new");
-  await page.getByTestId("new.create").click();
-  const other = await shown(page);
-  expect(other.map).not.toBe(before.map);
-  await open_files(page, path);
-  await expect.poll(() => shown(page)).toEqual(before);
-  expect(await read_state(page, (workbench) => workbench.file_name)).toBe(download.suggestedFilename());
-  await expect(page.locator("html")).toHaveAttribute("lang", "zh-CN");
-
-  await page.keyboard.press("Control+z");
-  await expect.poll(() => shown(page)).toEqual(other);
-  await page.keyboard.press("Control+y");
-  await expect.poll(() => shown(page)).toEqual(before);
-});
 
 test("15 · work outlives a reload, and what an example replaced can be had back", async ({page}) => {
   await open_workbench(page);
@@ -123,30 +89,6 @@ test("15 · two tabs keep their work apart", async ({page, context}) => {
   await expect(other).toHaveTitle(/This tab/);
 });
 
-test("15 · a file dropped on the page is opened", async ({page}) => {
-  await open_workbench(page);
-  const text = readFileSync(join(examples, "dump_bucket.json"), "utf8");
-  const result = run_program("solve", text, "-o", "-");
-  await page.evaluate((content) => {
-    const data = new DataTransfer();
-    data.items.add(new File([content], "dump_bucket.json", {type: "application/json"}));
-    for (const type of ["dragover", "drop"])
-      document
-        .querySelector("aside")!
-        .dispatchEvent(new DragEvent(type, {dataTransfer: data, bubbles: true, cancelable: true}));
-  }, text);
-  await expect(page).toHaveTitle(/Dump bucket/);
-  await expect(toasts(page)).toContainText("“dump_bucket.json” opened.");
-  const [chooser] = await Promise.all([page.waitForEvent("filechooser"), file_menu(page, "file.open")]);
-  await chooser.setFiles({name: "result.json", mimeType: "application/json", buffer: Buffer.from(result)});
-  await expect(toasts(page)).toContainText("“result.json” is a result");
-  await expect(page).toHaveTitle(/Dump bucket/);
-  const best = JSON.parse(result).linkages[0];
-  await expect
-    .poll(() => read_state(page, ({picked_linkage, pins}) => [picked_linkage?.type, pins.length]))
-    .toEqual([best.type, JSON.parse(result).linkages.length]);
-});
-
 // ---- 16 ---------------------------------------------------------------------------------------------------------
 
 async function copied_link(page: Page, context: BrowserContext): Promise<string> {
@@ -195,47 +137,3 @@ test("16 · a link is the task, and a broken one opens nothing", async ({page, c
 });
 
 // ---- 17 ---------------------------------------------------------------------------------------------------------
-
-test("17 · files that are no problems get their sentences, and nothing changes", async ({page}, info) => {
-  await open_workbench(page);
-  await move_a_pose(page);
-  await shown(page);
-  const before = await read_state(page, (workbench) => JSON.stringify(workbench.whole_problem));
-  const {files} = JSON.parse(readFileSync(join(bad_problems, "expected.json"), "utf8")) as {
-    files: Record<string, [place: string, message: string][]>;
-  };
-  const names = [
-    "cut_short.json",
-    "not_a_number.json",
-    "three_poses.json",
-    "unknown_key.json",
-    "empty.json",
-    "duplicate_key.json",
-    "nested_too_deep.json",
-    "missing_angle.json",
-    "overflow.json",
-    "trailing_comma.json",
-  ];
-  for (const name of names) {
-    await open_files(page, join(bad_problems, name));
-    const [place, message] = files[name]![0]!;
-    await expect(toasts(page)).toContainText(`“${name}” is not a Linkwright problem: ${place}`);
-    await expect(toasts(page)).toContainText(message);
-    await expect(toasts(page)).toContainText("Your work is unchanged.");
-  }
-  await open_files(page, join(bad_problems, "newer_version.json"));
-  await expect(toasts(page)).toContainText(
-    "This file was written by a newer Linkwright (version 2; this is 1). Reload the page to get the newest.",
-  );
-  await open_files(page, join(bad_problems, "invalid_utf8.json"));
-  await expect(toasts(page)).toContainText("“invalid_utf8.json” is not a Linkwright problem: this is not UTF-8 text");
-
-  const brackets = info.outputPath("brackets.json"),
-    file = openSync(brackets, "w"),
-    million = Buffer.alloc(1 << 20, "[");
-  for (let i = 0; i < 200; ++i) writeSync(file, million);
-  closeSync(file);
-  await open_files(page, brackets);
-  await expect(toasts(page)).toContainText("“brackets.json” is larger than 16 MB and was not opened.");
-  expect(await read_state(page, (workbench) => JSON.stringify(workbench.whole_problem))).toBe(before);
-});

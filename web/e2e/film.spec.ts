@@ -108,14 +108,3 @@ test("size and frame rate are chosen; a film that is stopped leaves nothing", as
   await expect(page.getByTestId("export.status")).toHaveText("");
   expect(downloads).toBe(0);
 });
-
-test("where the browser has no encoder, films are not offered, and the reason is", async ({page}) => {
-  await page.evaluate(() => Reflect.deleteProperty(globalThis, "VideoEncoder"));
-  await open_exports(page);
-  for (const kind of ["mp4", "webm"]) {
-    await expect(page.getByTestId(`export.${kind}`)).toBeDisabled();
-    await expect(page.getByTestId(`export.${kind}`)).toContainText("cannot encode video");
-  }
-  await expect(page.getByTestId("export.gif")).toBeEnabled();
-  await expect(page.getByTestId("export.film_size.480")).toBeHidden();
-});

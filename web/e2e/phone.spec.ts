@@ -41,7 +41,9 @@ function small_controls(page: Page): Promise<string[]> {
 }
 const sideways = (page: Page) => page.evaluate(() => document.documentElement.scrollWidth - innerWidth);
 
-test("drawing and map are in sight together, and every control has room for a finger", async ({page}) => {
+test("drawing and map are in sight together, every control has room for a finger, which picks above itself", async ({
+  page,
+}) => {
   await open_workbench(page);
   await shown(page);
   for (const place of ["drawing.canvas", "region.map", "drive.title"]) {
@@ -72,11 +74,9 @@ test("drawing and map are in sight together, and every control has room for a fi
   await expect(page.locator("aside.sheet")).toHaveCount(0);
   await page.getByTestId("file.menu").tap();
   expect(await small_controls(page)).toEqual([]);
-});
+  await page.keyboard.press("Escape");
 
-test("a finger on the map looks 56 px above itself, and picks there", async ({page}) => {
-  await open_workbench(page);
-  await shown(page);
+  // A finger on the map looks 56 px above itself, and picks there.
   const aim = await map_pixel(page, [0.7, 0.3]);
   const session = await page.context().newCDPSession(page);
   const touch = (type: string, points: {x: number; y: number}[]) =>
@@ -101,7 +101,9 @@ test("a finger on the map looks 56 px above itself, and picks there", async ({pa
   expect(await read_state(page, (workbench) => workbench.hovered)).toBeNull();
 });
 
-test("on its side, drawing and map stand beside each other", async ({page}) => {
+test("on its side, drawing and map stand beside each other; on the smallest phone below, and the title is whole", async ({
+  page,
+}) => {
   await page.setViewportSize({width: 844, height: 390});
   await open_workbench(page);
   const drawing = (await page.getByTestId("drawing.canvas").boundingBox())!,
@@ -110,31 +112,25 @@ test("on its side, drawing and map stand beside each other", async ({page}) => {
   expect(map.y + map.height).toBeLessThanOrEqual(390);
   expect(await sideways(page)).toBe(0);
   await keep_screenshot(page, "phone-landscape");
-});
 
-test.describe("on the smallest phone", () => {
-  test.use({viewport: {width: 320, height: 568}});
-
-  test("drawing, drive and map lie below each other, and the title is whole", async ({page}) => {
-    await open_workbench(page);
-    await shown(page);
-    const box = async (name: string) => (await page.getByTestId(name).first().boundingBox())!;
-    const [drawing, drive, play, map] = await Promise.all(
-      ["drawing.canvas", "drive.title", "drive.play", "region.map"].map(box),
+  await page.setViewportSize({width: 320, height: 568});
+  await shown(page);
+  const box = async (name: string) => (await page.getByTestId(name).first().boundingBox())!;
+  const [small_drawing, drive, play, small_map] = await Promise.all(
+    ["drawing.canvas", "drive.title", "drive.play", "region.map"].map(box),
+  );
+  expect(small_drawing!.height).toBeGreaterThan(100);
+  expect(small_drawing!.y + small_drawing!.height).toBeLessThanOrEqual(drive!.y + 1);
+  expect(play!.y + play!.height).toBeLessThanOrEqual(drive!.y + drive!.height + 1);
+  expect(drive!.y + drive!.height).toBeLessThanOrEqual(small_map!.y);
+  const top = await page
+    .locator("h2, header h1")
+    .evaluateAll((all) =>
+      all
+        .filter((one) => one.checkVisibility() && one.scrollWidth > one.clientWidth + 1 && !one.matches(".unseen"))
+        .map((one) => one.textContent),
     );
-    expect(drawing!.height).toBeGreaterThan(100);
-    expect(drawing!.y + drawing!.height).toBeLessThanOrEqual(drive!.y + 1);
-    expect(play!.y + play!.height).toBeLessThanOrEqual(drive!.y + drive!.height + 1);
-    expect(drive!.y + drive!.height).toBeLessThanOrEqual(map!.y);
-    const top = await page
-      .locator("h2, header h1")
-      .evaluateAll((all) =>
-        all
-          .filter((one) => one.checkVisibility() && one.scrollWidth > one.clientWidth + 1 && !one.matches(".unseen"))
-          .map((one) => one.textContent),
-      );
-    expect(top).toEqual([]);
-    expect(await sideways(page)).toBe(0);
-    await keep_screenshot(page, "phone-320");
-  });
+  expect(top).toEqual([]);
+  expect(await sideways(page)).toBe(0);
+  await keep_screenshot(page, "phone-320");
 });

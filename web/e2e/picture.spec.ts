@@ -31,8 +31,18 @@ test.beforeEach(async ({page}) => {
   });
 });
 
-test("a pasted picture is placed by numbers, by its knob and by keys, locked, hidden, and undone", async ({page}) => {
+test("a pasted picture is placed by numbers, by its knob and by keys, locked, hidden, undone, and traced over", async ({
+  page,
+}) => {
   await paste_picture(page);
+  // Its tools fit on a phone.
+  await page.setViewportSize({width: 390, height: 844});
+  await keep_screenshot(page, "picture-phone");
+  expect(await page.evaluate(() => document.documentElement.scrollWidth)).toBeLessThanOrEqual(390);
+  const box = (await page.getByTestId("picture.lock").boundingBox())!;
+  expect(box.height).toBeGreaterThanOrEqual(44);
+  await page.setViewportSize({width: 1440, height: 900});
+
   const before = await background(page);
   await page.getByTestId("picture.width").fill("300");
   await page.keyboard.press("Enter");
@@ -60,10 +70,8 @@ test("a pasted picture is placed by numbers, by its knob and by keys, locked, hi
     await read_state(page, (workbench) => workbench.undo());
   await read_state(page, (workbench) => workbench.redo());
   expect((await background(page)).width).toBe(before.width);
-});
 
-test("an outline is traced over the picture by clicks, a double click closes it", async ({page}) => {
-  await paste_picture(page);
+  // An outline is traced over it by clicks, a double click closes it.
   await page.getByTestId("picture.trace").click();
   const area = (await page.getByTestId("drawing.canvas").boundingBox())!;
   const at = (x: number, y: number) => [area.x + area.width * x, area.y + area.height * y] as const;
@@ -72,13 +80,4 @@ test("an outline is traced over the picture by clicks, a double click closes it"
   await page.mouse.click(...at(0.6, 0.75));
   await page.mouse.dblclick(...at(0.4, 0.75));
   expect(await read_state(page, (workbench) => workbench.problem.view!.outline!.length)).toBe(4);
-});
-
-test("its tools fit on a phone", async ({page}) => {
-  await page.setViewportSize({width: 390, height: 844});
-  await paste_picture(page);
-  await keep_screenshot(page, "picture-phone");
-  expect(await page.evaluate(() => document.documentElement.scrollWidth)).toBeLessThanOrEqual(390);
-  const box = (await page.getByTestId("picture.lock").boundingBox())!;
-  expect(box.height).toBeGreaterThanOrEqual(44);
 });

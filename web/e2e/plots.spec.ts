@@ -22,7 +22,9 @@ async function watch(page: Page): Promise<void> {
 const seen = (page: Page) =>
   page.evaluate(() => (globalThis as unknown as {seen: {texts: string[]; heights: number[]}}).seen);
 
-test("a plot has titles with units, and no steps of a pixel", async ({page}) => {
+test("a plot has titles with units, no steps of a pixel, labels of its own range, and room beside its legends", async ({
+  page,
+}) => {
   await watch(page);
   await open_workbench(page);
   await page.getByTestId("plot.velocity").click();
@@ -31,13 +33,18 @@ test("a plot has titles with units, and no steps of a pixel", async ({page}) => 
   expect(texts).toContain("Transmission angle γ (°)");
   expect(texts).toContain("Driver angle from position 1 (°)");
   expect(heights.some((height) => Math.abs(height - Math.round(height)) > 0.05)).toBe(true);
-});
 
-test("a function's plot counts the input's angle, and its largest error stands where it is said to be", async ({
-  page,
-}) => {
-  await watch(page);
-  await open_workbench(page);
+  // The legends of an instant and of samples lie beside each other.
+  await page.getByTestId("tolerance.add").click();
+  await expect(page.getByTestId("samples.legend")).toBeVisible();
+  await page.keyboard.press("i");
+  await expect(page.getByTestId("drawing.instant_legend")).toBeVisible();
+  const [instant, samples] = await Promise.all(
+    ["drawing.instant_legend", "samples.legend"].map(async (name) => (await page.getByTestId(name).boundingBox())!),
+  );
+  expect(instant!.y + instant!.height <= samples!.y + 1 || samples!.y + samples!.height <= instant!.y + 1).toBe(true);
+
+  // A function's plot counts the input's angle.
   await page.getByTestId("file.menu").click();
   await page.getByTestId("file.examples").click();
   await page.getByTestId("example.log_generator").click();
@@ -50,11 +57,9 @@ test("a function's plot counts the input's angle, and its largest error stands w
   for (const round of [10, 20]) expect(labels).toContain(round);
   expect(Math.min(...range)).toBeLessThan(1);
   await keep_screenshot(page, "plot-of-a-function");
-});
 
-test("tabs and values of a plot have room at 800 × 600", async ({page}) => {
+  // Tabs and values have room on a small screen.
   await page.setViewportSize({width: 800, height: 600});
-  await open_workbench(page);
   const boxes = await page
     .locator(".plot .head")
     .locator("[role=tab], output, .small")
@@ -64,16 +69,4 @@ test("tabs and values of a plot have room at 800 × 600", async ({page}) => {
       expect(a.right <= b.left + 1 || b.right <= a.left + 1 || a.bottom <= b.top + 1 || b.bottom <= a.top + 1).toBe(
         true,
       );
-});
-
-test("the legends of an instant and of samples lie beside each other", async ({page}) => {
-  await open_workbench(page);
-  await page.getByTestId("tolerance.add").click();
-  await expect(page.getByTestId("samples.legend")).toBeVisible();
-  await page.keyboard.press("i");
-  await expect(page.getByTestId("drawing.instant_legend")).toBeVisible();
-  const [instant, samples] = await Promise.all(
-    ["drawing.instant_legend", "samples.legend"].map(async (name) => (await page.getByTestId(name).boundingBox())!),
-  );
-  expect(instant!.y + instant!.height <= samples!.y + 1 || samples!.y + samples!.height <= instant!.y + 1).toBe(true);
 });

@@ -239,6 +239,7 @@ const kept_question = (page: Page) =>
 
 test("19 · the engine dies in the middle of a map, and nothing is lost", async ({page}) => {
   await open_workbench(page);
+  await until_settled(page);
   await move_a_pose(page);
   await page.waitForFunction(
     () => globalThis.__linkwright!.workbench.is_current && globalThis.__linkwright!.workbench.hand?.fails === 0,
@@ -359,7 +360,9 @@ test("21 · the browser's own language and theme come first", async ({browser}) 
 
 // ---- the frame --------------------------------------------------------------------------------------------------
 
-test("columns are as wide as one wants, within limits, also after a reload", async ({page}) => {
+test("columns are as wide as one wants, also after a reload; a laptop has its panels over the drawing, never over the map", async ({
+  page,
+}) => {
   await open_workbench(page);
   const splitter = page.getByTestId("splitter.left"),
     width = () => page.locator("aside.left").evaluate((element) => Math.round(element.getBoundingClientRect().width));
@@ -377,71 +380,8 @@ test("columns are as wide as one wants, within limits, also after a reload", asy
   await expect.poll(width).toBe(240);
   await splitter.dblclick();
   await expect.poll(width).toBe(268);
-});
 
-test("keys reach the whole page, but never a text", async ({page}) => {
-  await open_workbench(page);
-  await shown(page);
-  const activation = (isActive: boolean) =>
-    page.evaluate(
-      (active) =>
-        Object.defineProperty(navigator, "userActivation", {configurable: true, value: {isActive: active}}) &&
-        undefined,
-      isActive,
-    );
-  await activation(false); // nothing was clicked yet: the browser would not open its chooser
-  await page.keyboard.press("Control+o");
-  await expect(toasts(page)).toContainText("A click is needed");
-  await activation(true);
-  const [chooser] = await Promise.all([
-    page.waitForEvent("filechooser"),
-    toasts(page).getByRole("button", {name: "Open…"}).click(),
-  ]);
-  expect(chooser.isMultiple()).toBe(false);
-  await page.keyboard.press("f");
-  await expect(page.getByTestId("region.map")).toBeHidden();
-  await page.keyboard.press("Escape");
-  await expect(page.getByTestId("region.map")).toBeVisible();
-  await page.keyboard.press("m");
-  await expect(page.getByTestId("drawing.canvas")).toBeHidden();
-  await page.getByTestId("view.leave_full").click();
-  await expect(page.getByTestId("drawing.canvas")).toBeVisible();
-
-  await file_menu(page, "file.rename");
-  await page.getByTestId("file.title").fill("");
-  await page.keyboard.type("M f p?");
-  await page.keyboard.press("Enter");
-  await expect(page.getByTestId("file.menu")).toContainText("M f p?");
-  expect(await read_state(page, ({full, pins, dialog, problem}) => [full, pins.length, dialog, problem.title])).toEqual(
-    ["none", 0, null, "M f p?"],
-  );
-  await page.keyboard.press("Control+z");
-  await expect(page.getByTestId("file.menu")).toContainText("Tailgate hinge");
-
-  const value = () => page.getByTestId("task.x.3").inputValue(),
-    snaps = () => page.getByTestId("status.snap").getAttribute("aria-pressed");
-  await page.getByTestId("task.x.3").focus();
-  const number = await value();
-  await page.keyboard.press("s"); // no number begins with it: the page has it, and nothing lands in the field
-  expect([await value(), await snaps()]).toEqual([number, "false"]);
-
-  await page.keyboard.press("?");
-  await expect(page.getByTestId("dialog.keys")).toContainText("Play or pause");
-  await page.getByTestId("keys.single").uncheck();
-  await page.keyboard.press("Escape");
-  await page.keyboard.press("s");
-  expect([await value(), await snaps()]).toEqual([number, "false"]); // only where the focus is in the drawing or on the map
-  await page.getByTestId("region.map").focus();
-  await page.keyboard.press("s");
-  expect(await snaps()).toBe("true");
-  await expect(page.getByTestId("dialog.keys")).toBeHidden();
-  const [download] = await Promise.all([page.waitForEvent("download"), page.keyboard.press("Control+s")]);
-  expect(download.suggestedFilename()).toBe("tailgate-hinge.json");
-});
-
-test("a laptop has its panels over the drawing, never over the map", async ({page}) => {
   await page.setViewportSize({width: 1024, height: 768});
-  await open_workbench(page);
   await shown(page);
   const map = (await page.getByTestId("region.map").boundingBox())!;
   for (const name of ["num.best", "pin.add", "region.improve", "num.dxf", "bar.new"])

@@ -1,7 +1,5 @@
 import type {SixBarTask} from "../src/tasks/six_bar/task";
-import {readFileSync} from "node:fs";
 import {
-  analyze,
   drag,
   expect,
   expect_accessible,
@@ -79,18 +77,6 @@ test("a six-bar is found on its map, driven, and its chain moved", async ({page}
   expect(await played_poses(page)).toEqual([1, 2, 3]); // from the first on
   await keep_screenshot(page, "six_bar");
 
-  // Taken away, as the program reads it.
-  await page.getByTestId("export.title").click();
-  for (const format of ["dxf", "svg", "csv", "json", "result"]) {
-    const [download] = await Promise.all([page.waitForEvent("download"), page.getByTestId(`export.${format}`).click()]);
-    const text = readFileSync(await download.path(), "utf8");
-    if (format === "dxf") expect(text).toContain("BODY_5");
-    if (format === "json") expect(analyze(JSON.parse(text)).mechanism).toBe("six_bar");
-    if (format === "result") expect(JSON.parse(text).linkages[0].verified_by_driving).toBe(true);
-  }
-  await keep_screenshot(page, "six_bar_exports");
-  await page.keyboard.press("Escape");
-
   // Hinge b dragged: the map follows, one undo takes it back.
   const before = await counts(page),
     handle = page.getByTestId("drawing.chain_b"),
@@ -114,52 +100,7 @@ test("a six-bar is found on its map, driven, and its chain moved", async ({page}
   expect(slid[1]).toBe(tau[1]);
   await page.keyboard.press("Control+z");
 
-  // Other bodies joined: another map.
-  await page.getByTestId("six_bar.topology").click();
-  await expect(page.getByTestId(/^six_bar\.row\./)).toHaveCount(11);
-  await expect_accessible(page, "[data-testid='task.title']");
-  await page.getByTestId("six_bar.row.0-3_0-2").click();
-  await until_settled(page);
-  await expect(page.getByTestId("six_bar.topology")).toContainText("Stephenson III");
-  await page.keyboard.press("Control+z");
-  await until_settled(page);
-
-  // A chain is searched for; stopped, what was found stays; choosing one is one step.
-  const box = await read_state(page, ({problem}) => problem.options!.box!);
-  await read_state(page, (workbench) =>
-    workbench.edit((problem) => ({...problem, options: {...problem.options, box: undefined}})),
-  );
-  await until_settled(page);
-  await page.getByTestId("six_bar.search_chain").click();
-  await expect(page.getByTestId("drawing.search_box")).toBeVisible();
-  expect(await read_state(page, (workbench) => [workbench.is_current, workbench.problem.options?.box])).toEqual([
-    true,
-    undefined,
-  ]); // the panel shows one of its own
-  await read_state(page, (workbench) => workbench.undo());
-  expect(await read_state(page, ({search_box}) => search_box)).toEqual(box);
-  await page.getByTestId("six_bar.seed").fill("4");
-  await page.getByTestId("six_bar.effort").fill("100000");
-  await page.getByTestId("six_bar.effort").press("Enter");
-  await page.getByTestId("six_bar.start").click();
-  await expect(page.getByTestId("six_bar.found.1")).toBeVisible();
-  await page.getByTestId("six_bar.stop").click();
-  await expect(page.getByTestId("six_bar.ended")).toContainText("Stopped after");
-  await page.getByTestId("six_bar.found.1").click();
-  await until_settled(page);
-  expect(await read_state(page, ({hand}) => [hand!.fails, hand!.drive!.ticks.every((tick) => tick.reached)])).toEqual([
-    0,
-    true,
-  ]);
-  await keep_screenshot(page, "six_bar_search");
-  await page.keyboard.press("Control+z");
-  await until_settled(page);
-  expect(await read_state(page, ({problem}) => (problem.task as SixBarTask).chain!.b)).toEqual([288.6, 1029.9]);
-});
-
-test("while something is held, what is left of six-bars shows where it may go", async ({page}) => {
-  test.slow();
-  await open_loader(page);
+  // While something is held, what is left of six-bars shows where it may go.
   const halo = page.getByTestId("drawing.halo");
   for (const name of ["drawing.chain_d", "drawing.disc_4"]) {
     const from = await middle_of(page.getByTestId(name).first());
@@ -176,29 +117,9 @@ test("while something is held, what is left of six-bars shows where it may go", 
     await expect(halo).toBeHidden();
     await until_settled(page);
   }
-});
 
-test("a part of the map of six-bars is looked at closely, and told by its tolerances", async ({page}) => {
-  test.slow();
-  await open_loader(page);
-  const samples = () => read_state(page, ({map}) => map!.samples),
-    span = () => read_state(page, ({map}) => map!.input_tau.at(-1)! - map!.input_tau[0]!);
-  const whole_samples = await samples(),
-    whole_span = await span();
-  await read_state(page, (workbench) => workbench.zoom({input: [0.25, 0.5], output: [0.5, 0.75]}));
-  await expect.poll(span).toBeLessThan(whole_span / 3);
-  await until_settled(page);
-  expect((await samples()) / (await span())).toBeGreaterThan(whole_samples / whole_span);
-  await expect(page.getByTestId("region.zoomed")).toHaveText("×4");
-  await keep_screenshot(page, "six_bar_window");
-  await page.getByTestId("region.zoomed").click();
-  await until_settled(page);
-
-  await page.getByTestId("tolerance.add").click();
-  await page.getByTestId("region.menu").click();
-  await page.getByTestId("region.color.tolerance_error").click();
-  await page.waitForFunction(() => globalThis.__linkwright!.workbench.map?.property === "tolerance_error");
-  await until_settled(page);
-  expect(await read_state(page, ({hand}) => hand!.tolerance!.error)).toBeGreaterThan(0.1);
-  await keep_screenshot(page, "six_bar_tolerance");
+  // Other bodies to join are chosen from pictures.
+  await page.getByTestId("six_bar.topology").click();
+  await expect_accessible(page, "[data-testid='task.title']");
+  await page.keyboard.press("Escape");
 });

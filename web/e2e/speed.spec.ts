@@ -32,134 +32,132 @@ async function until_fine(page: Page): Promise<void> {
   await until_settled(page);
 }
 
-test("the map follows a drag", async ({page}) => {
+test("the map follows a drag and a slider, the linkage the mouse over the map", async ({page}) => {
   await open_workbench(page);
   await until_fine(page);
-  const moves = await page.evaluate(async () => {
-    const hook = globalThis.__linkwright!,
-      workbench = hook.workbench as any,
-      {maps} = workbench,
-      take = maps.take.bind(maps);
-    const found: {engine: number; round: number; paint: number; samples: number}[] = [];
-    workbench.begin_gesture();
-    for (let i = 0; i < 60; ++i) {
-      const start = performance.now(),
-        dx = 5 * Math.sin(i / 5),
-        dy = 5 * Math.cos(i / 7);
-      let arrived = start;
-      maps.take = (...answer: unknown[]) => {
-        arrived = performance.now();
-        take(...answer);
-      };
-      workbench.drag((problem: any) => ({
-        ...problem,
-        task: {
-          ...problem.task,
-          poses: (problem.task as MotionTask).poses.map((pose: any, k: number) =>
-            k === 2 ? {...pose, x: -220 + dx, y: 220 + dy} : pose,
-          ),
-        },
-      }));
-      while (!workbench.is_current || hook.painted_map() !== workbench.map)
-        await new Promise((done) => setTimeout(done));
-      found.push({
-        engine: workbench.engine_ms,
-        round: arrived - start,
-        paint: workbench.paint_ms,
-        samples: workbench.map.samples,
-      });
-    }
-    delete maps.take;
-    workbench.cancel_gesture();
-    return found;
-  });
-  const engine = median(moves.map((m) => m.engine)),
-    transfer = median(moves.map((m) => m.round - m.engine)),
-    paint = median(moves.map((m) => m.paint));
-  console.log(
-    `drag, ${moves.filter((m) => m.samples === 400).length} of 60 frames at 400²: engine ${engine.toFixed(1)} ms, transfer ${transfer.toFixed(1)} ms, paint ${paint.toFixed(1)} ms, together ${median(moves.map((m) => m.round + m.paint)).toFixed(1)} ms (medians)`,
-  );
-});
-
-test("the linkage follows the mouse over the map", async ({page}) => {
-  await open_workbench(page);
-  await until_fine(page);
-  const session = await page.context().newCDPSession(page);
-  await session.send("Performance.enable");
-  const busy = async () => {
-    const {metrics} = await session.send("Performance.getMetrics");
-    return (
-      1000 *
-      metrics
-        .filter(({name}) => ["ScriptDuration", "LayoutDuration", "RecalcStyleDuration"].includes(name))
-        .reduce((sum, {value}) => sum + value, 0)
+  await test.step("the map follows a drag", async () => {
+    const moves = await page.evaluate(async () => {
+      const hook = globalThis.__linkwright!,
+        workbench = hook.workbench as any,
+        {maps} = workbench,
+        take = maps.take.bind(maps);
+      const found: {engine: number; round: number; paint: number; samples: number}[] = [];
+      workbench.begin_gesture();
+      for (let i = 0; i < 60; ++i) {
+        const start = performance.now(),
+          dx = 5 * Math.sin(i / 5),
+          dy = 5 * Math.cos(i / 7);
+        let arrived = start;
+        maps.take = (...answer: unknown[]) => {
+          arrived = performance.now();
+          take(...answer);
+        };
+        workbench.drag((problem: any) => ({
+          ...problem,
+          task: {
+            ...problem.task,
+            poses: (problem.task as MotionTask).poses.map((pose: any, k: number) =>
+              k === 2 ? {...pose, x: -220 + dx, y: 220 + dy} : pose,
+            ),
+          },
+        }));
+        while (!workbench.is_current || hook.painted_map() !== workbench.map)
+          await new Promise((done) => setTimeout(done));
+        found.push({
+          engine: workbench.engine_ms,
+          round: arrived - start,
+          paint: workbench.paint_ms,
+          samples: workbench.map.samples,
+        });
+      }
+      delete maps.take;
+      workbench.cancel_gesture();
+      return found;
+    });
+    const engine = median(moves.map((m) => m.engine)),
+      transfer = median(moves.map((m) => m.round - m.engine)),
+      paint = median(moves.map((m) => m.paint));
+    console.log(
+      `drag, ${moves.filter((m) => m.samples === 400).length} of 60 frames at 400²: engine ${engine.toFixed(1)} ms, transfer ${transfer.toFixed(1)} ms, paint ${paint.toFixed(1)} ms, together ${median(moves.map((m) => m.round + m.paint)).toFixed(1)} ms (medians)`,
     );
-  };
-  const hash = await map_hash(page),
-    before = await busy();
-  const times = await page.evaluate(async () => {
-    const {workbench} = globalThis.__linkwright!,
-      map = document.querySelector("[data-testid='region.map']")!,
-      box = map.getBoundingClientRect();
-    const next_task = () =>
-      new Promise<void>((done) => {
-        const {port1, port2} = new MessageChannel();
-        port1.onmessage = () => done();
-        port2.postMessage(0);
-      });
-    const found: {engine: number; drawn: number}[] = [];
-    for (let i = 0; i < 100; ++i) {
-      await new Promise(requestAnimationFrame);
-      map.dispatchEvent(
-        new PointerEvent("pointermove", {
-          clientX: box.x + box.width * (0.5 + 0.4 * Math.cos(i / 8)),
-          clientY: box.y + box.height * (0.5 + 0.4 * Math.sin(i / 8)),
-          bubbles: true,
-          pointerType: "mouse",
-          pointerId: 1,
-        }),
+  });
+  await test.step("the linkage follows the mouse over the map", async () => {
+    await until_fine(page);
+    const session = await page.context().newCDPSession(page);
+    await session.send("Performance.enable");
+    const busy = async () => {
+      const {metrics} = await session.send("Performance.getMetrics");
+      return (
+        1000 *
+        metrics
+          .filter(({name}) => ["ScriptDuration", "LayoutDuration", "RecalcStyleDuration"].includes(name))
+          .reduce((sum, {value}) => sum + value, 0)
       );
-      await new Promise(requestAnimationFrame); // where the page takes it up
-      const start = performance.now();
-      while (!workbench.hovered || workbench.hand?.tau.join() !== workbench.hovered.join()) await next_task();
-      const engine = performance.now() - start;
-      await new Promise<void>((done) => void Promise.resolve().then(done)); // Svelte changes the page in a microtask
-      void document.body.offsetHeight; // and the browser lays it out
-      found.push({engine, drawn: performance.now() - start});
-    }
-    return found;
+    };
+    const hash = await map_hash(page),
+      before = await busy();
+    const times = await page.evaluate(async () => {
+      const {workbench} = globalThis.__linkwright!,
+        map = document.querySelector("[data-testid='region.map']")!,
+        box = map.getBoundingClientRect();
+      const next_task = () =>
+        new Promise<void>((done) => {
+          const {port1, port2} = new MessageChannel();
+          port1.onmessage = () => done();
+          port2.postMessage(0);
+        });
+      const found: {engine: number; drawn: number}[] = [];
+      for (let i = 0; i < 100; ++i) {
+        await new Promise(requestAnimationFrame);
+        map.dispatchEvent(
+          new PointerEvent("pointermove", {
+            clientX: box.x + box.width * (0.5 + 0.4 * Math.cos(i / 8)),
+            clientY: box.y + box.height * (0.5 + 0.4 * Math.sin(i / 8)),
+            bubbles: true,
+            pointerType: "mouse",
+            pointerId: 1,
+          }),
+        );
+        await new Promise(requestAnimationFrame); // where the page takes it up
+        const start = performance.now();
+        while (!workbench.hovered || workbench.hand?.tau.join() !== workbench.hovered.join()) await next_task();
+        const engine = performance.now() - start;
+        await new Promise<void>((done) => void Promise.resolve().then(done)); // Svelte changes the page in a microtask
+        void document.body.offsetHeight; // and the browser lays it out
+        found.push({engine, drawn: performance.now() - start});
+      }
+      return found;
+    });
+    const work = ((await busy()) - before) / times.length;
+    console.log(
+      `hover: linkage there after ${median(times.map((t) => t.engine)).toFixed(1)} ms, laid out after ${median(times.map((t) => t.drawn)).toFixed(1)} ms (medians of 100); main thread ${work.toFixed(1)} ms each`,
+    );
+    expect(await map_hash(page), "hovering never repaints the map").toBe(hash);
   });
-  const work = ((await busy()) - before) / times.length;
-  console.log(
-    `hover: linkage there after ${median(times.map((t) => t.engine)).toFixed(1)} ms, laid out after ${median(times.map((t) => t.drawn)).toFixed(1)} ms (medians of 100); main thread ${work.toFixed(1)} ms each`,
-  );
-  expect(await map_hash(page), "hovering never repaints the map").toBe(hash);
-});
-
-test("a requirement is tried by its slider", async ({page}) => {
-  await open_workbench(page);
-  await until_fine(page);
-  const times = await page.evaluate(async () => {
-    const hook = globalThis.__linkwright!,
-      {workbench} = hook,
-      found: {whole: number; engine: number; paint: number}[] = [];
-    workbench.begin_gesture();
-    for (let i = 0; i < 40; ++i) {
-      const start = performance.now();
-      workbench.drag((problem) => ({
-        ...problem,
-        requirements: {...problem.requirements, min_transmission_angle_deg: 31 + i},
-      }));
-      while (!workbench.is_current || hook.painted_map() !== workbench.map)
-        await new Promise((done) => setTimeout(done));
-      found.push({whole: performance.now() - start, engine: workbench.engine_ms, paint: workbench.paint_ms});
-    }
-    workbench.cancel_gesture();
-    return found;
+  await test.step("a requirement is tried by its slider", async () => {
+    await until_fine(page);
+    const times = await page.evaluate(async () => {
+      const hook = globalThis.__linkwright!,
+        {workbench} = hook,
+        found: {whole: number; engine: number; paint: number}[] = [];
+      workbench.begin_gesture();
+      for (let i = 0; i < 40; ++i) {
+        const start = performance.now();
+        workbench.drag((problem) => ({
+          ...problem,
+          requirements: {...problem.requirements, min_transmission_angle_deg: 31 + i},
+        }));
+        while (!workbench.is_current || hook.painted_map() !== workbench.map)
+          await new Promise((done) => setTimeout(done));
+        found.push({whole: performance.now() - start, engine: workbench.engine_ms, paint: workbench.paint_ms});
+      }
+      workbench.cancel_gesture();
+      return found;
+    });
+    console.log(
+      `requirement slider: engine ${median(times.map((t) => t.engine)).toFixed(1)} ms, paint ${median(times.map((t) => t.paint)).toFixed(1)} ms, until painted ${median(times.map((t) => t.whole)).toFixed(1)} ms (medians of 40)`,
+    );
   });
-  console.log(
-    `requirement slider: engine ${median(times.map((t) => t.engine)).toFixed(1)} ms, paint ${median(times.map((t) => t.paint)).toFixed(1)} ms, until painted ${median(times.map((t) => t.whole)).toFixed(1)} ms (medians of 40)`,
-  );
 });
 
 /** The time from one frame to the next while something is done. */

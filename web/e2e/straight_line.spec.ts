@@ -1,5 +1,4 @@
 // Points that run straight, on the page: examples, the line, the cases, layers, colours, links, phone.
-import {readFileSync} from "node:fs";
 import type {Page} from "@playwright/test";
 import type {StraightLineTask} from "../src/tasks/straight_line/task";
 import {
@@ -14,9 +13,7 @@ import {
   open_settled,
   open_workbench,
   read_state,
-  solve,
   test,
-  type_into,
   until_mapped,
   until_settled,
 } from "./support";
@@ -29,35 +26,8 @@ async function open_example(page: Page, name: string): Promise<void> {
   await until_settled(page);
 }
 const task_of = (page: Page) => read_state(page, ({problem}) => problem.task as StraightLineTask);
-const line_of = (page: Page) => read_state(page, ({hand}) => hand!.straight_line!);
 
-test("an example shows its line, its path and numbers that the program has as well", async ({page}) => {
-  await open_example(page, "straight_watt_suspension");
-  await expect(page.getByTestId("straight.line")).toBeAttached();
-  await expect(page.getByTestId("straight.usable")).toBeAttached();
-  await expect(page.getByTestId("straight.magnifier")).toBeVisible();
-  await expect(page.getByTestId("straight.num.contact")).toHaveText("5");
-  await expect(page.getByTestId("plot.profile")).toHaveAttribute("aria-selected", "true");
-  const line = await line_of(page),
-    problem = example("straight_watt_suspension"),
-    there = solve({...problem, options: {...problem.options, region_samples: 16, at: line.place}}),
-    [found] = there.linkages;
-  expect(found.usable.length).toBeCloseTo(line.usable.length, 6);
-  expect(found.contact_points).toBe(line.contact_points);
-  expect(found.stroke.max_deviation).toBeCloseTo(line.stroke!.max_deviation, 9);
-  const [cognate] = line.cognates;
-  expect(cognate!.pivots.input_fixed).toEqual(found.cognates[0].pivots.input_fixed);
-  const shown = page.getByTestId("straight.shown_cognate");
-  await expect(shown).toHaveCount(0);
-  await page.getByTestId("straight.cognate.0").click();
-  await expect(shown).toBeAttached();
-  await keep_screenshot(page, "straight_line");
-  await expect_accessible(page);
-  await page.getByTestId("straight.cognate.0").click();
-  await expect(shown).toHaveCount(0);
-});
-
-test("the line is dragged and turned on the drawing, and each is one step", async ({page}) => {
+test("the line is dragged and turned on the drawing, and linkages are pointed at on the map", async ({page}) => {
   await open_example(page, "straight_luffing_crane");
   const before = await task_of(page),
     map = await map_hash(page);
@@ -75,15 +45,14 @@ test("the line is dragged and turned on the drawing, and each is one step", asyn
   expect(await task_of(page)).toEqual(moved);
   await page.keyboard.press("Control+z");
   expect(await task_of(page)).toEqual(before);
-});
 
-test("each linkage under the pointer is shown with its numbers", async ({page}) => {
+  // Each linkage under the pointer is shown with its numbers; colours are the map's.
   await open_example(page, "straight_indicator");
   const place = await read_state(page, ({picked}) => picked!.place!),
     picked = await page.getByTestId("straight.num.usable").textContent();
-  const {x, y} = await map_pixel(page, place);
-  await page.mouse.move(x + 60, y - 40);
-  await page.mouse.move(x + 40, y - 20);
+  const over = await map_pixel(page, place);
+  await page.mouse.move(over.x + 60, over.y - 40);
+  await page.mouse.move(over.x + 40, over.y - 20);
   await expect
     .poll(() =>
       page
@@ -94,118 +63,17 @@ test("each linkage under the pointer is shown with its numbers", async ({page}) 
     .not.toBe(picked);
   await page.mouse.move(5, 5);
   await expect(page.getByTestId("straight.num.usable")).toHaveText(picked!);
-});
-
-test("the map is coloured by what straight lines are worth", async ({page}) => {
-  await open_example(page, "straight_indicator");
   const types = await map_hash(page);
   await page.getByTestId("straight.stroke_over_longest").click();
   await until_mapped(page);
   await expect.poll(() => map_hash(page)).not.toBe(types);
-  await page.getByTestId("region.map").focus();
-  for (let press = 0; press < 3; ++press) await page.keyboard.press("c");
-  await expect.poll(() => read_state(page, ({map}) => map!.property)).toBe("deviation");
-});
-
-test("another case keeps the line and has its own fields, and its layers are shown one at a time", async ({page}) => {
-  await open_example(page, "straight_indicator");
-  const {line} = await task_of(page);
-  await page.getByTestId("straight.case").selectOption("six_point");
-  await until_settled(page);
-  expect(await task_of(page)).toEqual({
-    kind: "straight_line",
-    mechanism: "four_bar",
-    case: "six_point",
-    line,
-    pole_distance: expect.any(Number),
-  });
-  await type_into(page, "straight.pole_distance", "80");
-  expect((await task_of(page)).pole_distance).toBe(80);
-  await until_settled(page);
-  const rows = await read_state(page, ({map}) => map!.rows);
-  await page.getByTestId("region.sheet.II").click();
-  await expect.poll(() => read_state(page, ({map}) => map!.window.input[0])).toBeCloseTo(1 / 3, 9);
-  expect(await read_state(page, ({map}) => map!.rows)).not.toBe(rows);
-  await page.getByTestId("straight.case").selectOption("pole_at_given_pivot");
-  await until_mapped(page);
-  await page.getByTestId("straight.case").selectOption("mixed");
-  await until_settled(page);
-  await page.getByTestId("straight.pattern").selectOption("PP-PP");
-  expect((await task_of(page)).contacts!.map(({multiplicity}) => multiplicity)).toEqual([2, 2]);
-  await until_settled(page);
-  await page.getByTestId("straight.contact.2.side").click();
-  expect((await task_of(page)).contacts![1]!.side).toBe(-1);
-});
-
-test("deviation, stroke and ranges are asked for, and a link brings them all back", async ({page, context}) => {
-  await open_example(page, "straight_watt_suspension");
-  const before = await line_of(page);
-  await type_into(page, "straight.deviation", "0.2");
-  await until_settled(page);
-  expect((await line_of(page)).deviation).toBe(0.2);
-  expect((await line_of(page)).usable.length).toBeLessThan(before.usable.length);
-  await type_into(page, "straight.range.input.1", "300");
-  await until_settled(page);
-  const problem = await read_state(page, ({problem: {task, options}}) => ({task, options}));
-  expect(problem.options!.window).toEqual([
-    [60, 300],
-    [-400, -60],
-  ]);
-  await context.grantPermissions(["clipboard-read", "clipboard-write"]);
-  await page.getByTestId("share.link").click();
-  const link = await page.evaluate(() => navigator.clipboard.readText());
-  const other = await context.newPage();
-  await open_workbench(other, new URL(link).pathname + new URL(link).hash);
-  await until_settled(other);
-  expect(await read_state(other, ({problem: {task, options}}) => ({task, options}))).toMatchObject(problem);
-  await other.close();
-});
-
-test("a search over all cases lists linkages, and each opens the map of its case", async ({page}) => {
-  await open_settled(page);
+  await expect_accessible(page);
+  await keep_screenshot(page, "straight_line");
   await page.getByTestId("bar.new").click();
   await page.getByTestId("new.straight_search").click();
   await page.getByTestId("new.create").click();
-  await page.getByTestId("straight.start").click();
-  await expect(page.getByTestId("straight.ended")).toContainText("found");
-  await expect(page.getByTestId("region.notice").getByTestId("straight.found.2")).toBeVisible();
-  await page.getByTestId("straight.found.2").click();
-  await until_settled(page);
-  const line = await line_of(page);
-  expect(line.usable_strip.length).toBeGreaterThan(99.9);
-  expect(line.deviation).toBe(0.05);
-  expect((await task_of(page)).case).not.toBe("search");
-  expect(await read_state(page, ({hand}) => hand!.fails)).toBe(0);
-  await keep_screenshot(page, "straight_search");
-  await expect_accessible(page);
-  await page.keyboard.press("Control+z");
-  expect((await task_of(page)).case).toBe("search");
-  await page.getByTestId("straight.start").click();
-  await page.getByTestId("straight.stop").click();
   await expect(page.getByTestId("straight.start")).toBeVisible();
-});
-
-test("its linkages are taken away as files", async ({page}) => {
-  await open_example(page, "straight_stage");
-  await page.getByTestId("export.title").click();
-  for (const [format, mark] of [
-    ["svg", "<svg"],
-    ["dxf", "SECTION"],
-    ["csv", ","],
-    ["json", '"pivots"'],
-  ] as const) {
-    const [download] = await Promise.all([page.waitForEvent("download"), page.getByTestId(`export.${format}`).click()]);
-    expect(readFileSync(await download.path(), "utf8")).toContain(mark);
-  }
-});
-
-test("it speaks Chinese", async ({page}) => {
-  await open_example(page, "straight_walking_leg");
-  await page.getByTestId("view.language").click();
-  const panel = page.getByTestId("straight.about");
-  await expect(panel).toHaveText(/\p{Script=Han}/u);
-  for (const part of ["straight.numbers", "straight.measuring"])
-    expect((await page.getByTestId(part).innerText()).replace(/\b(mm|e)\b|[SδeE]/g, "")).not.toMatch(/[a-z]{3}/i);
+  await expect_accessible(page);
 });
 
 test.describe("on a phone", () => {

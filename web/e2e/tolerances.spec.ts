@@ -1,15 +1,12 @@
 // Tolerances: the row that gives them, and what they open.
 import type {Page} from "@playwright/test";
 import {
-  example,
   expect,
-  expect_accessible,
   keep_screenshot,
   map_pixel,
   open_settled,
   open_workbench,
   read_state,
-  solve,
   test,
   type_into,
   until_settled,
@@ -24,37 +21,6 @@ const until_sampled = (page: Page) =>
 
 test.describe("on a wide screen", () => {
   test.beforeEach(({page}) => open_settled(page));
-
-  test("are given in a row, colour the map, and stay", async ({page}) => {
-    await expect(page.getByTestId("req.row.max_tolerance_error")).toHaveCount(0);
-    await page.getByTestId("tolerance.add").click();
-    expect(await tolerances_of(page)).toEqual({length: 0.5});
-    await type_into(page, "tolerance.all", "0.4");
-    await page.getByTestId("tolerance.each").click();
-    await type_into(page, "tolerance.coupler", "0.1");
-    expect(await tolerances_of(page)).toEqual({
-      length: {input: 0.4, coupler: 0.1, output: 0.4, ground_pivots: 0.4, point: 0.4},
-    });
-    await expect(page.getByTestId("tolerance.all")).toHaveAttribute("placeholder", "differ");
-    await read_state(page, (workbench) => workbench.undo());
-    expect(await tolerances_of(page)).toEqual({length: 0.4});
-
-    await page.getByTestId("region.menu").click();
-    await expect(page.getByTestId("region.color.yield")).toHaveCount(0);
-    await page.getByTestId("region.color.tolerance_error").click();
-    await page.waitForFunction(() => globalThis.__linkwright!.workbench.map?.property === "tolerance_error");
-    await until_settled(page);
-    const {error} = await read_state(page, ({hand}) => ({error: hand!.tolerance!.error}));
-    const [first] = solve({...example("tailgate"), tolerances: {length: 0.4}}).linkages;
-    expect(error).toBeCloseTo(first.tolerance.error, 6);
-
-    await page.reload();
-    await page.waitForFunction(() => globalThis.__linkwright?.workbench.is_current);
-    expect(await tolerances_of(page)).toEqual({length: 0.4});
-    await page.getByTestId("tolerance.remove").click();
-    expect(await tolerances_of(page)).toBeNull();
-    expect(await read_state(page, (workbench) => workbench.coloring)).toBe("type");
-  });
 
   test("with a limit show yields, coarse to fine", async ({page}) => {
     await page.getByTestId("tolerance.add").click();
@@ -102,12 +68,6 @@ test.describe("on a wide screen", () => {
     await until_settled(page);
     expect(await read_state(page, ({problem}) => problem.requirements)).not.toHaveProperty("min_yield");
     expect(await read_state(page, (workbench) => workbench.census!.meeting)).toBe(meeting);
-  });
-
-  test("are accessible, opened", async ({page}) => {
-    await page.getByTestId("tolerance.add").click();
-    await page.getByTestId("tolerance.each").click();
-    await expect_accessible(page, "[data-testid='req.title']");
   });
 });
 

@@ -5,6 +5,7 @@ import {
   choose_file,
   click,
   focus,
+  focused,
   get,
   is_there,
   open_settled,
@@ -40,10 +41,20 @@ test("handles are moved by the arrow keys, and Tab goes from one to the next", a
   expect(second().y).toBeCloseTo(75 + 10 * step, 9);
   while (workbench.can_undo) await press("Control+z");
   expect(second()).toMatchObject({x: -125, y: 75});
-  await focus("drawing.knob_2");
+  await focus("drawing.disc_2");
+  await press("Tab");
+  expect(focused()).toBe("drawing.knob_2");
   await press("Alt+ArrowLeft");
   expect(second().theta_deg).toBeCloseTo(-24.9, 9);
+  await press("Shift+Tab");
+  expect(focused()).toBe("drawing.disc_2");
   expect(workbench.selected_pose).toBe(1);
+});
+
+test("without WebGL the flat view stays and a sentence says so", async () => {
+  workbench.solid = true;
+  await until(() => !workbench.solid && workbench.toasts.some(({key}) => key === "state.no_webgl"));
+  expect(is_there("drawing.canvas")).toBe(true);
 });
 
 test("two positions that are the same are refused in words, the map gone with the marks on it", async () => {

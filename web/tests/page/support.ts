@@ -108,7 +108,7 @@ export function expect_and_forget(pattern: RegExp): void {
 
 /** Waits for a state of the page, however busy the machine is. */
 export async function until(what: () => unknown): Promise<void> {
-  const end = performance.now() + 30_000;
+  const end = performance.now() + 120_000;
   while (!what()) {
     if (performance.now() > end) throw new Error(`never: ${what}`);
     await new Promise((resolve) => setTimeout(resolve, 1));

@@ -124,6 +124,9 @@ test("a search over all cases lists linkages, and each opens the map of its case
   expect(workbench.hand!.fails).toBe(0);
   await press("Control+z");
   expect(task().case).toBe("search");
+  await click("straight.start");
+  await click("straight.stop");
+  await until_there("straight.start");
 });
 
 test("its linkages are taken away as files", async () => {
