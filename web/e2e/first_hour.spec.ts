@@ -264,8 +264,10 @@ test("a plot that cannot be loaded says so, and is there as soon as it can", asy
   const chart = /\/chart-[^/]*\.js$/;
   await page.route(chart, (route) => route.abort());
   await open_workbench(page);
+  await until_settled(page);
+  // Each map draws the part anew by itself: the last one, too.
+  await page.waitForFunction(() => globalThis.__linkwright!.workbench.map!.samples === 1000);
   await expect(page.getByTestId("failed.drive.title")).toBeVisible();
-  await until_settled(page); // what comes later would draw the part anew, by itself
   await page.unroute(chart);
   await page.getByTestId("failed.again").click();
   await expect(page.getByTestId("plot.title").locator("canvas")).toBeVisible();
