@@ -5,6 +5,9 @@ import {IDBFactory} from "fake-indexeddb";
 import {flushSync, mount, tick, unmount} from "svelte";
 import {expect, vi} from "vitest";
 import App from "../../src/App.svelte";
+import {film_choice, film_sizes} from "../../src/exports/film_form.svelte";
+import {paper} from "../../src/exports/paper.svelte";
+import {plate_choice} from "../../src/exports/plate_form.svelte";
 import {read_view} from "../../src/shell/kept_view.svelte";
 import {first_workbench} from "../../src/shell/start";
 import {open_work_store} from "../../src/shell/work_store";
@@ -13,6 +16,8 @@ import {Preferences, preferences} from "../../src/state/preferences.svelte";
 import type {Problem} from "../../src/state/problem";
 import {poses_of} from "../../src/state/task";
 import type {Workbench} from "../../src/state/workbench.svelte";
+import {driver} from "../../src/tasks/given_linkage/speed.svelte";
+import {shown_cognate} from "../../src/tasks/straight_line/cognates.svelte";
 import {load_view} from "../../src/tasks/views";
 import {end_threads} from "./thread";
 
@@ -27,8 +32,17 @@ const preference_names = Object.entries(Object.getOwnPropertyDescriptors(Prefere
   ([name, {set}]) => (set ? [name] : []),
 );
 
+/** What a page keeps for one visit, in its modules: of others than tests each visit has its own. */
+function begin_visit(): void {
+  plate_choice.sizes = {};
+  [film_choice.size, film_choice.rate] = [film_sizes[1], 30];
+  paper.size = "A4";
+  driver.rpm = 60;
+  shown_cognate.index = null;
+}
 /** Opens the page as main.ts does. */
 export async function open_workbench(): Promise<void> {
+  begin_visit();
   await open_work_store();
   workbench = first_workbench(await read_view());
   await load_view(workbench.problem.task);
@@ -107,10 +121,10 @@ export function expect_and_forget(pattern: RegExp): void {
 }
 
 /** Waits for a state of the page, however busy the machine is. */
-export async function until(what: () => unknown): Promise<void> {
+export async function until(what: () => unknown, told = () => String(what)): Promise<void> {
   const end = performance.now() + 120_000;
   while (!what()) {
-    if (performance.now() > end) throw new Error(`never: ${what}`);
+    if (performance.now() > end) throw new Error(`never: ${told()}`);
     await new Promise((resolve) => setTimeout(resolve, 1));
   }
   await drawn();
@@ -183,7 +197,10 @@ export async function send(place: At, event: Event): Promise<boolean> {
 /** Clicks as soon as there is something to be clicked. */
 export async function click(place: At, keys: MouseEventInit = {}): Promise<void> {
   const found = () => (typeof place === "string" ? all(place)[0] : place) as HTMLButtonElement | undefined;
-  await until(() => found() && !found()!.disabled);
+  await until(
+    () => found() && !found()!.disabled,
+    () => `${String(place)} can be clicked; it is ${found()?.outerHTML ?? "not there"}`,
+  );
   const element = at(place) as HTMLButtonElement;
   element.focus?.();
   const was = {...keys, bubbles: true, cancelable: true};
