@@ -1,9 +1,27 @@
 #include <algorithm>
 #include <tuple>
 
+#include "files/fields/result_forms.hpp"
 #include "linkwright/core/angle.hpp"
 #include "replies.hpp"
 #include "reply_fields.hpp"
+#include "reply_forms.hpp"
+
+namespace linkwright {
+
+static void fields(FieldVisitor& v, const PlateSizes& sizes) {
+  const Object described = {"plate_sizes", "User's unit. About a centre plates are pieces of spherical shells."};
+  v.object(described, [&](FieldVisitor& to) {
+    to.shown("width", sizes.width);
+    to.shown("thickness", sizes.thickness);
+    to.shown(Field("gap", "Between layers, and between what moves past each other in one."), sizes.gap);
+    to.shown(Field("pin", "Diameter."), sizes.pin);
+    to.shown(Field("clearance", "By how much a hole is wider than its pin."), sizes.clearance);
+    to.shown(Field("radius", "Of the outermost sphere; 0: planar."), sizes.radius);
+  });
+}
+
+}  // namespace linkwright
 
 namespace linkwright::wasm {
 namespace {
@@ -40,6 +58,42 @@ CrossingReply crossing_reply(const MovingLinkage& linkage, const Crossing& cross
 }
 
 }  // namespace
+
+static void fields(FieldVisitor& v, const PlateLayer& of) {
+  v.object({.name = "plate_layer"}, [&](FieldVisitor& to) {
+    to.shown("body", of.body);
+    to.shown("layer", of.layer, natural);
+  });
+}
+
+static void fields(FieldVisitor& v, const CrossingReply& of) {
+  const Object described = {"plate_crossing", "What runs into what, and at which driver angles."};
+  v.object(described, [&](FieldVisitor& to) {
+    to.shown("body", of.body);
+    to.shown_if_any(Field("pin", "What it runs into: the pin of a hinge, or another body's plate."), of.pin);
+    to.shown_if_any("other", of.other);
+    to.shown("from_deg", of.from_deg);
+    to.shown("to_deg", of.to_deg);
+  });
+}
+
+void fields(FieldVisitor& v, const MachinePlan& of) {
+  const Object described = {"machine_plan",
+                            "A linkage as plates on pins. Bodies and hinges are called as in the files."};
+  std::size_t over = of.over == PlateLayers::Over::travel ? 0 : 1;
+  v.object(described, [&](FieldVisitor& to) {
+    to.shown("sizes", of.sizes);
+    to.shown(Field("layers", "By body, from the ground, which lies in layer 0 (about a centre the innermost)."),
+             of.layers, forms::on_a_line);
+    to.member(Field("over",
+                    "Free of collisions over the whole travel, or at least from the first position to the "
+                    "last."),
+              true, [&](FieldVisitor& at) {
+                visit(at, over, Words{{"travel", "task"}});
+              });
+    to.shown("crossings", of.crossings, forms::on_a_line);
+  });
+}
 
 std::string machine_reply(const Result<Machine>& made) {
   if (!made) return refusal_json(made.errors());

@@ -4,10 +4,12 @@
 
 #include "analyses/tolerances/tolerance_analysis.hpp"
 #include "files/fields/field_writer.hpp"
+#include "files/fields/result_forms.hpp"
 #include "linkwright/core/angle.hpp"
 #include "linkwright/robust/tolerance_report.hpp"
 #include "replies.hpp"
 #include "reply_fields.hpp"
+#include "reply_forms.hpp"
 #include "robust/sampled_positions.hpp"
 
 namespace linkwright::wasm {
@@ -74,6 +76,40 @@ std::vector<double> drawn_samples(const LinkageOutput& output, const Tolerances&
 }
 
 }  // namespace
+
+void fields(FieldVisitor& v, const YieldsReply& of) {
+  v.object({.name = "yields_reply"}, [&](FieldVisitor& to) {
+    to.shown("done", of.yields.done, forms::count);
+    to.shown(Field("total", "Cells that meet all else."), of.yields.total, forms::count);
+  });
+}
+
+void fields(FieldVisitor& v, const FrontReply& of) {
+  v.object({.name = "front_reply"}, [&](FieldVisitor& to) {
+    to.shown(Field("front", "Row, column, first and second objective; the best by the first one first."), of.cells,
+             forms::on_a_line, four);
+  });
+}
+
+static void fields(FieldVisitor& v, const Histograms& of) {
+  const Object described = {"histograms",
+                            "Errors of samples, a row of counts to each position over one scale: from 0, of lines from "
+                            "the right to the left."};
+  v.object(described, [&](FieldVisitor& to) {
+    to.shown("from", of.from);
+    to.shown("to", of.to);
+    to.shown("counts", of.counts, forms::on_a_line, forms::on_a_line, forms::count);
+  });
+}
+
+void fields(FieldVisitor& v, const ToleranceFigures& of) {
+  v.object({.name = "tolerance_reply", .on_lines = true}, [&](FieldVisitor& to) {
+    member_of_results(to, "tolerance", "tolerance", of.report);
+    to.shown("histograms", of.histograms);
+    to.shown(Field("positions", "Of the samples drawn: of a straight line its ends and the middle."), of.positions,
+             forms::count);
+  });
+}
 
 ToleranceReply tolerance_reply(const LinkageOutput& output, const Tolerances& tolerances, int bins, int drawn) {
   const auto report = tolerance_report(output, tolerances);
