@@ -28,9 +28,8 @@ set(linkwright_not_in_webassembly src/drawing/png_image.cpp src/drawing/region_p
                                   src/machine/step_file.cpp)
 # The page asks for each file by itself.
 list(APPEND linkwright_not_in_webassembly src/machine/machine_export.cpp)
-# Nor does the engine read drawings of other programs: the page does.
-file(GLOB linkwright_outline_sources RELATIVE "${PROJECT_SOURCE_DIR}" src/files/outline/*.cpp)
-list(APPEND linkwright_not_in_webassembly ${linkwright_outline_sources})
+# Browsers read XML.
+list(APPEND linkwright_not_in_webassembly src/files/outline/drawing_text.cpp)
 # Sweeps are for programs that run for hours.
 file(GLOB linkwright_sweep_sources RELATIVE "${PROJECT_SOURCE_DIR}" src/sweep/*.cpp)
 list(APPEND linkwright_not_in_webassembly ${linkwright_sweep_sources})

@@ -46,12 +46,10 @@ std::vector<Error> mistakes_in(const OutlineArguments& arguments, std::size_t sh
   return mistakes;
 }
 
-/// Lengths of the problem to the drawing's unit; 1 where one of the two is not known.
+/// Lengths of the problem to the drawing's unit.
 double scale_of(const OutlineArguments& arguments, const Drawing& drawing, const std::string& length_unit) {
   if (arguments.scale) return *arguments.scale;
-  const auto file = arguments.unit.empty() ? drawing.unit_mm : millimetres(arguments.unit),
-             task = millimetres(length_unit);
-  return file && task ? *file / *task : 1;
+  return drawing_scale(arguments.unit.empty() ? drawing.unit_mm : millimetres(arguments.unit), length_unit);
 }
 
 OutlineFit fit_of(const OutlineArguments& arguments, const DrawnShape& shape, double scale, double size) {

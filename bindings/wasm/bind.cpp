@@ -118,7 +118,8 @@ class BoundSession : public PageSession {
 };
 
 std::string report(const std::string& of, const std::string& text) {
-  return of == "instant" ? instant_reply(text) : attitude_reply(of, text);
+  if (of == "instant") return instant_reply(text);
+  return of == "outlines" ? outlines_reply(text) : attitude_reply(of, text);
 }
 std::string version() { return LINKWRIGHT_VERSION; }
 

@@ -88,6 +88,11 @@ struct ToleranceReply {
 /// about the linkage up to ten times its size. In place of it {"mistakes": […]}.
 [[nodiscard]] std::string instant_reply(std::string_view text);
 
+/// The shapes of a drawing as outlines of a body: of {"format", "length_unit", "size"} (that of the task, and about how
+/// large its body may be) and the "text" of a `dxf`, or the "elements" of an `svg` in their order, each [index of the
+/// one around it, name, attributes], the outermost one's index -1. In place of them {"mistakes": […]}.
+[[nodiscard]] std::string outlines_reply(std::string_view text);
+
 /// What the page shows of an attitude, which is no linkage and has no session: JSON text to JSON text, each an object
 /// with the reports of `linkwright attitude` as they are written to files. In place of them {"mistakes": […]}, their
 /// places `task.…`.

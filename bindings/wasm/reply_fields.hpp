@@ -8,6 +8,7 @@
 
 #include "fields/field_visitor.hpp"
 #include "files/json/json_writer.hpp"
+#include "linkwright/algebra/point.hpp"
 #include "linkwright/core/result.hpp"
 #include "linkwright/machine/machine.hpp"
 #include "linkwright/solve/session.hpp"
@@ -170,6 +171,18 @@ struct MachinePlan {
   std::vector<CrossingReply> crossings{};
 };
 void fields(FieldVisitor& v, const MachinePlan& of);
+
+// ---- drawings of other programs -----------------------------------------------------------------------------------
+
+struct OutlineShape {
+  std::vector<Point> outline{};
+  bool closed = false, frame = false;
+  double width = 0, height = 0;
+};
+struct OutlinesReply {
+  std::vector<OutlineShape> shapes{};
+};
+void fields(FieldVisitor& v, const OutlinesReply& of);
 
 /// JSON text.
 template <class Reply>

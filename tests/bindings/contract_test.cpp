@@ -42,6 +42,7 @@ void fields(FieldVisitor& v, const Replies& /*of*/) {
     reply_member(to, "yields", YieldsReply{});
     reply_member(to, "front", FrontReply{});
     reply_member(to, "machine", MachinePlan{});
+    reply_member(to, "outlines", OutlinesReply{});
   });
 }
 

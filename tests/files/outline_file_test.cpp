@@ -1,34 +1,49 @@
 #include "linkwright/files/outline_file.hpp"
 
 #include <gmock/gmock.h>
-#include <gtest/gtest.h>
+#include <tuple>
 
 #include "linkwright/core/angle.hpp"
+#include "outline_support.hpp"
 
 namespace linkwright {
 namespace {
 
-std::string svg(std::string_view inside) { return "<svg>" + std::string(inside) + "</svg>"; }
+using namespace linkwright::testing;
 
-Drawing read_svg(std::string_view inside) {
-  const auto drawing = read_svg_outlines(svg(inside));
-  EXPECT_TRUE(drawing.ok());
-  return drawing.ok() ? *drawing : Drawing{{{{0, 1, Point(0, 1)}}}, {}};
+using Told = std::tuple<double, double, bool, bool>;
+std::vector<Told> told(const Drawing& drawing) {
+  std::vector<Told> list;
+  for (const DrawnShape& shape : drawing.shapes)
+    list.emplace_back(std::round(shape.width), std::round(shape.height), shape.frame, shape.closed);
+  return list;
 }
 
-TEST(OutlineFile, CornersAreDrawnUpwards) {
-  const DrawnShape shape = read_svg(R"(<path d="M10 20h30v-10L10,10z"/>)").shapes.at(0);
-  EXPECT_EQ(shape.corners, (std::vector<Point>{{10, -20}, {40, -20}, {40, -10}, {10, -10}}));
-  EXPECT_TRUE(shape.closed);
-  EXPECT_EQ(shape.width, 30);
+TEST(OutlineFile, PartsComeBeforeOpenChainsBeforeTheFrameOfTheSheetAndItsBorder) {
+  const std::string sheet = rectangle(0, 0, 420, 297) + rectangle(20, 10, 390, 277),
+                    part = rectangle(100, 100, 80, 50) + groups({{0, "CIRCLE"}, {10, 120}, {20, 120}, {40, 5}}),
+                    chain = line({200, 20}, {300, 20}) + line({300, 20}, {300, 90});
+  EXPECT_EQ(told(drawing_in(read_dxf_outlines(dxf(sheet + chain + part)))),
+            (std::vector<Told>{{80, 50, false, true},
+                               {10, 10, false, true},
+                               {100, 70, false, false},
+                               {420, 297, true, true},
+                               {390, 277, true, true}}));
 }
 
-TEST(OutlineFile, CurvesStayWithinAThousandthOfTheirSize) {
-  const DrawnShape circle = read_svg(R"(<circle r="50"/>)").shapes.at(0);
-  for (std::size_t i = 0; i < circle.corners.size(); ++i) {
-    const Point middle = (circle.corners[i] + circle.corners[(i + 1) % circle.corners.size()]) / 2.0;
-    EXPECT_NEAR(std::abs(middle), 50, 0.1);
-  }
+TEST(OutlineFile, APlateWithHolesIsAPartAndTheEdgeOfAnSvgsSheetAFrame) {
+  const std::string plate = rectangle(0, 0, 80, 20) + groups({{0, "CIRCLE"}, {10, 10}, {20, 10}, {40, 3}});
+  for (const DrawnShape& shape : drawing_in(read_dxf_outlines(dxf(plate))).shapes) EXPECT_FALSE(shape.frame);
+  EXPECT_FALSE(dxf_shape(rectangle(0, 0, 297, 210)).frame) << "a lone rectangle";
+  const std::string sheet =
+      svg(R"(<rect x="5" y="5" width="990" height="490"/><polygon points="100,100 300,100 200,200"/>)",
+          R"(viewBox="0 0 1000 500")");
+  EXPECT_EQ(told(drawing_in(read_svg_outlines(sheet))),
+            (std::vector<Told>{{200, 100, false, true}, {990, 490, true, true}}));
+}
+
+TEST(OutlineFile, WhatIsDrawnTwiceIsThereOnce) {
+  EXPECT_EQ(edges(dxf_shape(rectangle(0, 0, 8, 2) + rectangle(0, 0, 8, 2))), (Edges{0, 8, 0, 2}));
 }
 
 TEST(OutlineFile, AnOutlineIsPlacedAndHasNoMoreCornersThanABodyMay) {
@@ -37,7 +52,9 @@ TEST(OutlineFile, AnOutlineIsPlacedAndHasNoMoreCornersThanABodyMay) {
   EXPECT_EQ(outline, (std::vector<Point>{{1, 2}, {1, 22}, {-19, 22}, {-19, 2}}));
   DrawnShape wave{{}, true};
   for (int i = 0; i < 3000; ++i) wave.corners.push_back((100 + 10 * std::sin(i / 95.5)) * direction(i / 477.5));
-  EXPECT_LE(body_outline(wave, 1, {}).size(), 200u);
+  const auto corners = body_outline(wave, 1, {});
+  EXPECT_LE(corners.size(), 200u);
+  EXPECT_NEAR(area(corners) / area(wave.corners), 1, 0.002);
 }
 
 TEST(OutlineFile, AShapeOfAnotherSizeIsBroughtToTheTasksAndOneFarAwayToTheOrigin) {
@@ -45,14 +62,8 @@ TEST(OutlineFile, AShapeOfAnotherSizeIsBroughtToTheTasksAndOneFarAwayToTheOrigin
   EXPECT_EQ(fit_outline(square, 1, 10).placed.origin, Point(-101, -1));
   EXPECT_FALSE(fit_outline(square, 1, 10).resized);
   EXPECT_EQ(fit_outline(square, 1, 1000).scale, 500);
-}
-
-TEST(OutlineFile, WhatCannotBeReadIsRefusedWithItsPlace) {
-  EXPECT_EQ(read_dxf_outlines("0\nSECTION\n2\nENTITIES\nx\n").errors()[0].place, "line 5");
-  EXPECT_EQ(read_svg_outlines("<svg>\n<g>\n</svg>").errors()[0].place, "line 3");
-  EXPECT_EQ(read_svg_outlines(svg("")).errors()[0].code, "no_outline");
-  EXPECT_EQ(read_svg_outlines(svg(R"(<g id="a"><use href="#a"/><use href="#a"/></g>)")).errors()[0].code,
-            "drawing_of_too_much");
+  const DrawnShape at_origin{{{0, 0}, {80, 0}, {80, 20}, {0, 20}}, true, false, 80, 20};
+  EXPECT_EQ(fit_outline(at_origin, 1, 100).placed.origin, Point(0, 0));
 }
 
 }  // namespace

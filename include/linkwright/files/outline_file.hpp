@@ -1,7 +1,11 @@
 #pragma once
 
+#include <cstddef>
 #include <filesystem>
+#include <functional>
+#include <map>
 #include <optional>
+#include <string>
 #include <string_view>
 #include <vector>
 
@@ -25,16 +29,42 @@ struct Drawing {
   std::optional<double> unit_mm;  ///< millimetres to the drawing's unit, where the file says
 };
 
+/// An element of an XML document. `children`: indices in the list of all.
+struct XmlElement {
+  std::string name;  ///< with its prefix
+  std::map<std::string, std::string, std::less<>> attributes{};
+  std::vector<std::size_t> children{};
+
+  [[nodiscard]] std::string_view local_name() const {
+    return std::string_view(name).substr(name.rfind(':') + 1);  // npos + 1 is 0
+  }
+  /// Empty where it is not there.
+  [[nodiscard]] const std::string& attribute(std::string_view key) const {
+    static const std::string none;
+    const auto found = attributes.find(key);
+    return found == attributes.end() ? none : found->second;
+  }
+};
+
+/// The elements of a document in their order, each before those inside it; the first is the outermost.
+using XmlElements = std::vector<XmlElement>;
+
 /// The shapes of a drawing in ASCII DXF: lines, arcs, circles, ellipses, polylines with bulges and splines of the model
 /// space, inserted blocks among them, what meets end to end joined. No chord leaves its curve by more than a thousandth
-/// of the curve's size. What is no DXF, is cut off, has no shape or too many points (100 000) is a mistake.
+/// of the curve's size. What is no DXF, is cut off, has no shape or too many points (100 000) is a mistake: `not_dxf`,
+/// `binary_dxf`, `dxf_group`, `dxf_cut_off`, `not_xml`, `not_svg`, `no_outline`, `drawing_of_too_much`.
 [[nodiscard]] Result<Drawing> read_dxf_outlines(std::string_view text);
 
 /// The same of an SVG: its paths, rectangles, circles, ellipses, lines and polygons where they are drawn.
+[[nodiscard]] Result<Drawing> read_svg_outlines(const XmlElements& elements);
+/// From its text; not in WebAssembly, where browsers read XML.
 [[nodiscard]] Result<Drawing> read_svg_outlines(std::string_view text);
 
 /// The same from a file of at most 16 MB whose name ends in .dxf or .svg.
 [[nodiscard]] Result<Drawing> read_outlines_file(const std::filesystem::path& path);
+
+/// Lengths in a unit of that name to the drawing's unit; 1 where one of the two is not known.
+[[nodiscard]] double drawing_scale(std::optional<double> unit_mm, std::string_view length_unit);
 
 /// The shape as the outline of a body, in the moving frame: `scale` lengths to the drawing's unit, the drawing's origin
 /// and x axis at `placed`. At most 200 corners, those left out that matter least; nine digits.

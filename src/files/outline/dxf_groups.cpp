@@ -42,8 +42,8 @@ class DxfReader {
       const auto [end, error] = std::from_chars(line->data(), line->data() + line->size(), group.code);
       if (error != std::errc{} || end != line->data() + line->size()) {
         if (line->empty() && !lines_.next()) break;  // a blank last line
-        return unreadable_drawing(lines_.place(), began_ ? "a group of a DXF begins with a whole number"
-                                                         : "it does not begin with a SECTION as an ASCII DXF does");
+        return began_ ? unreadable_drawing("dxf_group", lines_.place(), "a group of a DXF begins with a whole number")
+                      : not_dxf();
       }
       const auto value = lines_.next();
       if (!value) return cut_off();
@@ -51,13 +51,18 @@ class DxfReader {
       if (group.code == 0 && group.value == "EOF") break;
       take(group);
     }
-    if (!began_) return unreadable_drawing("", "it does not begin with a SECTION as an ASCII DXF does");
+    if (!began_) return not_dxf();
     if (!section_.empty() || in_section_head_) return cut_off();
     return std::move(file_);
   }
 
  private:
-  Error cut_off() const { return unreadable_drawing(lines_.place(), "the file ends within a section; it is cut off"); }
+  static Error not_dxf() {
+    return unreadable_drawing("not_dxf", "", "it does not begin with a SECTION as an ASCII DXF does");
+  }
+  Error cut_off() const {
+    return unreadable_drawing("dxf_cut_off", lines_.place(), "the file ends within a section; it is cut off");
+  }
 
   void take(const DxfGroup& group) {
     if (group.code == 0 && group.value == "SECTION") {

@@ -1,19 +1,15 @@
 #include "linkwright/files/outline_file.hpp"
 
 #include <algorithm>
-#include <array>
-#include <charconv>
 #include <fmt/format.h>
 
 #include "files/text/plain_text.hpp"
-#include "linkwright/files/text_file.hpp"
+#include "linkwright/files/length_unit.hpp"
 #include "shapes.hpp"
 #include "strokes.hpp"
 
 namespace linkwright {
 namespace {
-
-constexpr std::size_t most_bytes = 16'000'000;
 
 Result<Drawing> drawing_of(Result<Strokes> strokes) {
   if (!strokes) return strokes.errors();
@@ -28,25 +24,17 @@ Result<Drawing> drawing_of(Result<Strokes> strokes) {
 }
 
 double at_nine_digits(double value) {
-  const std::string text = fmt::format("{:.9g}", value);
-  double read = value;
-  std::from_chars(text.data(), text.data() + text.size(), read);
-  return read + 0.0;  // never -0
+  return leading_number(fmt::format("{:.9g}", value)) + 0.0;  // never -0
 }
 
 }  // namespace
 
 Result<Drawing> read_dxf_outlines(std::string_view text) { return drawing_of(dxf_strokes(text)); }
-Result<Drawing> read_svg_outlines(std::string_view text) { return drawing_of(svg_strokes(text)); }
+Result<Drawing> read_svg_outlines(const XmlElements& elements) { return drawing_of(svg_strokes(elements)); }
 
-Result<Drawing> read_outlines_file(const std::filesystem::path& path) {
-  const std::string ending = in_small_letters(path.extension().string());
-  if (ending != ".dxf" && ending != ".svg")
-    return Error{"unknown_drawing", "", "an outline is read from a drawing whose name ends in .dxf or .svg"};
-  const auto text = read_text_file(path, most_bytes);
-  if (!text)
-    return text.errors().front().code == "file_too_large" ? Result<Drawing>(drawing_of_too_much()) : text.errors();
-  return ending == ".dxf" ? read_dxf_outlines(*text) : read_svg_outlines(*text);
+double drawing_scale(std::optional<double> unit_mm, std::string_view length_unit) {
+  const auto length_mm = millimetres(length_unit);
+  return unit_mm && length_mm ? *unit_mm / *length_mm : 1;
 }
 
 std::vector<Point> body_outline(const DrawnShape& shape, double scale, const Pose& placed) {

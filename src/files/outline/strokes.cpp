@@ -46,11 +46,8 @@ double off_chord(Point point, Point from, Point to) {
   return std::abs(arm - along * chord);
 }
 
-Error unreadable_drawing(std::string place, std::string reason) {
-  return {"unreadable_drawing",
-          std::move(place),
-          fmt::format("this cannot be read as an SVG or DXF drawing: {}", reason),
-          {{"reason", reason}}};
+Error unreadable_drawing(std::string code, std::string place, std::string_view reason) {
+  return {std::move(code), std::move(place), fmt::format("this cannot be read as an SVG or DXF drawing: {}", reason)};
 }
 
 Error drawing_of_too_much() {

@@ -3,10 +3,13 @@
 #include <cmath>
 #include <optional>
 #include <span>
+#include <string>
+#include <string_view>
 #include <vector>
 
 #include "linkwright/algebra/point.hpp"
 #include "linkwright/core/result.hpp"
+#include "linkwright/files/outline_file.hpp"
 
 namespace linkwright {
 
@@ -85,11 +88,11 @@ std::vector<Point> flattened(const Curve& curve, double from, double to, int pie
   return points;
 }
 
-/// The strokes of a file's text, or why they cannot be had; `drawing_of_too_much()` where a collector is full.
+/// The strokes of a file, or why they cannot be had; `drawing_of_too_much()` where a collector is full.
 [[nodiscard]] Result<Strokes> dxf_strokes(std::string_view text);
-[[nodiscard]] Result<Strokes> svg_strokes(std::string_view text);
+[[nodiscard]] Result<Strokes> svg_strokes(const XmlElements& elements);
 
-[[nodiscard]] Error unreadable_drawing(std::string place, std::string reason);
+[[nodiscard]] Error unreadable_drawing(std::string code, std::string place, std::string_view reason);
 [[nodiscard]] Error drawing_of_too_much();
 
 }  // namespace linkwright

@@ -15,6 +15,7 @@ export interface ToldAsText {
   yields: YieldsReply;
   front: FrontReply;
   machine: MachinePlan;
+  outlines: Outlines;
 }
 /** A sentence to be worded by the page: texts hold `<code>` with {placeholders} for `values`. `message` is the same sentence in English as the command line prints it, for codes that the texts do not know. */
 export interface Notice {
@@ -310,6 +311,22 @@ export interface MachinePlan {
   /** Free of collisions over the whole travel, or at least from the first position to the last. */
   over: "travel" | "task";
   crossings: readonly PlateCrossing[];
+}
+/** A shape of a drawing as the outline of a body. */
+export interface OutlineShape {
+  /** Corners in the moving frame, brought to the task's size. */
+  outline: readonly (readonly [number, number])[];
+  /** Else a straight edge closes it. */
+  closed: boolean;
+  /** The edge of the sheet, or the border on it. */
+  frame: boolean;
+  /** As drawn, in the task's unit of length where both are known. */
+  width: number;
+  height: number;
+}
+/** The shapes of a drawing, closed ones first, frames last, the largest first. */
+export interface Outlines {
+  shapes: readonly OutlineShape[];
 }
 /** Of a state of a drive, whatever the kind of linkage: the driver's angle from position 1, in the sense of travel positive; the moving pivots of input and output; the pose of the moving frame; the angles of coupler and output from position 1; dψ/dφ, output by input, 0 at a dead point; output torque over input torque, |dφ/dψ|, 0 where unbounded. */
 export const state_columns = ["input_deg", "ax", "ay", "bx", "by", "x", "y", "theta_deg", "transmission_angle_deg", "coupler_deg", "output_deg", "velocity_ratio", "mechanical_advantage"] as const;

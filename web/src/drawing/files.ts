@@ -3,7 +3,7 @@ import {poses_extent, with_view} from "../state/problem";
 import {is_picture, picture} from "./background";
 import type {Bench} from "./bench";
 import {with_outline} from "./drags/outline_drags";
-import {body_of, is_outline_file, read_outlines, unit_factor} from "./outline_file";
+import {is_outline_file, read_outlines} from "./outline_file";
 import {chosen_shape} from "./outlines/choice";
 
 export function is_drawing_file(file: File): boolean {
@@ -18,13 +18,12 @@ export async function take_file(bench: Bench, file: File): Promise<void> {
 /** Where the drawing has several shapes, one is asked for. */
 export async function take_outline({workbench, scene}: Bench, file: File): Promise<void> {
   const {name} = file,
-    found = await read_outlines(file);
-  if (typeof found === "string") return workbench.say(`drawing.outline_${found}`, {name});
-  const factor = unit_factor(found.unit_mm, workbench.unit),
-    shape = await chosen_shape(found.shapes, name, factor, workbench.unit);
+    shapes = await read_outlines(workbench, file, 0.3 * poses_extent(scene.poses));
+  if (typeof shapes === "string") return workbench.say("drawing.no_outline", {name, why: shapes});
+  const shape = await chosen_shape(shapes, name, workbench.unit);
   if (!shape) return;
   scene.draft = null;
-  workbench.edit((problem) => with_outline(problem, body_of(shape, factor, 0.3 * poses_extent(scene.poses))));
+  workbench.edit((problem) => with_outline(problem, shape.outline));
 }
 export async function take_picture({workbench, scene}: Bench, file: File): Promise<void> {
   const background = file.size < 64e6 ? await picture(file, scene.view) : null;

@@ -1,76 +1,48 @@
-// An outline out of a drawing of another program, SVG or DXF: which shapes it has, and one of them as the body.
-import type {Point} from "../contract/messages";
-import {Refused, type Drawn, type Refusal} from "./outlines/strokes";
-import {shapes_of, simplified, type Shape} from "./outlines/shapes";
-import {bounds} from "./viewport";
+// An outline out of a drawing of another program, SVG or DXF, in which the engine finds the shapes; XML is the browser's.
+import type {OutlineShape, Outlines} from "../contract/replies";
+import {Refusal} from "../engine/refusal";
+import type {Workbench} from "../state/workbench.svelte";
+import {mistakes_text} from "../texts/mistakes";
 
-const most_bytes = 16e6;
+const most_bytes = 16e6,
+  too_large = {code: "drawing_of_too_much", place: "", values: {}, message: ""};
 
-export interface Shapes {
-  /** One at least. */
-  shapes: readonly Shape[];
-  /** Millimetres to a unit of the file, where it says. */
-  unit_mm: number | null;
-}
 export function is_outline_file(file: File, svg_too: boolean): boolean {
-  return /\.dxf$/i.test(file.name) || (svg_too && (/\.svg$/i.test(file.name) || file.type === "image/svg+xml"));
+  return is_dxf(file.name) || (svg_too && (/\.svg$/i.test(file.name) || file.type === "image/svg+xml"));
 }
-export async function read_outlines(file: File): Promise<Shapes | Refusal> {
-  return file.size > most_bytes ? "huge" : outlines_in(file.name, await file.text());
+function is_dxf(name: string): boolean {
+  return /\.dxf$/i.test(name);
 }
-export async function outlines_in(name: string, text: string): Promise<Shapes | Refusal> {
+
+/** One at least, as outlines of a body of about this size; or why there is none. */
+export async function read_outlines(
+  {driver_client, unit}: Pick<Workbench, "driver_client" | "unit">,
+  file: File,
+  size: number,
+): Promise<readonly OutlineShape[] | string> {
+  if (file.size > most_bytes) return mistakes_text([too_large]);
+  const text = await file.text(),
+    drawn = is_dxf(file.name) ? {format: "dxf", text} : {format: "svg", elements: elements_of(text)};
   try {
-    const drawn = await drawn_in(name, text),
-      shapes = shapes_of(drawn);
-    return shapes.length ? {shapes, unit_mm: drawn.unit_mm} : "none";
+    const asked = JSON.stringify({...drawn, length_unit: unit, size}),
+      {report} = await driver_client!.run({kind: "report", of: "outlines", text: asked});
+    return (report as Outlines).shapes;
   } catch (error) {
-    if (error instanceof Refused) return error.why;
-    if (error instanceof RangeError) return "huge"; // nested deeper than the stack
+    if (error instanceof Refusal) return mistakes_text(error.mistakes);
     throw error;
   }
 }
-/** The libraries come only when they are wanted. */
-async function drawn_in(name: string, text: string): Promise<Drawn> {
-  if (/\.dxf$/i.test(name)) return (await import("./outlines/dxf")).read_dxf(text);
-  return (await import("./outlines/svg")).read_svg(text);
-}
 
-/** The names that the program knows, in small letters (length_unit.cpp). */
-const unit_names: readonly [number, string][] = [
-  [1e-3, "µm μm um micron microns micrometre micrometres micrometer micrometers 微米"],
-  [1, "mm millimetre millimetres millimeter millimeters 毫米"],
-  [10, "cm centimetre centimetres centimeter centimeters 厘米"],
-  [100, "dm decimetre decimetres decimeter decimeters 分米"],
-  [1000, "m metre metres meter meters 米"],
-  [1e6, "km kilometre kilometres kilometer kilometers 千米"],
-  [25.4e-6, "µin μin uin microinch microinches"],
-  [0.0254, "mil mils thou"],
-  [25.4, 'in inch inches " ″ ” 英寸'],
-  [304.8, "ft foot feet ' ′ ’ 英尺"],
-  [914.4, "yd yard yards 码"],
-  [1609344, "mi mile miles 英里"],
-];
-/** Millimetres to a unit by its name; nothing where it is not known. */
-export function mm_of_unit(unit: string): number | undefined {
-  const name = unit.trim().toLowerCase().replace(/\.$/, "");
-  return unit_names.find(([, names]) => names.split(" ").includes(name))?.[0];
-}
-/** Units of the task to a unit of the file; 1 where one of the two is not known. */
-export function unit_factor(unit_mm: number | null, unit: string): number {
-  const task_mm = mm_of_unit(unit);
-  return unit_mm === null || task_mm === undefined ? 1 : unit_mm / task_mm;
-}
-
-/** Corners in body coordinates. Where the drawing's origin lies in or near the shape it is kept as the body's; a shape of
- *  quite another size is brought to the task's. */
-export function body_of({points}: Shape, factor: number, size: number): Point[] {
-  const box = bounds(points),
-    [w, h] = box ? [box.x[1] - box.x[0], box.y[1] - box.y[0]] : [0, 0];
-  if (!box) return [];
-  const largest = factor * Math.max(w, h),
-    scale = largest > 20 * size || largest < size / 20 ? (factor * size) / largest : factor;
-  const near = box.x[0] - w / 2 <= 0 && box.x[1] + w / 2 >= 0 && box.y[0] - h / 2 <= 0 && box.y[1] + h / 2 >= 0;
-  const [mx, my] = near ? [0, 0] : [(box.x[0] + box.x[1]) / 2, (box.y[0] + box.y[1]) / 2];
-  const short = (value: number) => Number(value.toPrecision(9)) + 0;
-  return simplified(points).map(([x, y]) => [short((x - mx) * scale), short((y - my) * scale)]);
+type ElementRow = [around: number, name: string, attributes: Record<string, string>];
+/** In the order of the document; none where it is no XML. */
+function elements_of(text: string): ElementRow[] {
+  const document = new DOMParser().parseFromString(text, "image/svg+xml"),
+    elements = [...document.getElementsByTagName("*")],
+    places = new Map<unknown, number>(elements.map((element, i) => [element, i]));
+  if (elements.some(({localName}) => localName === "parsererror")) return [];
+  return elements.map((element) => [
+    places.get(element.parentNode) ?? -1,
+    element.nodeName,
+    Object.fromEntries(Array.from(element.attributes, ({name, value}) => [name, value])),
+  ]);
 }

@@ -15,8 +15,15 @@ const program = `${root}build/release/bin/linkwright`;
 let read: (text: string) => Mistake[];
 /** Of the plates of a linkage, which are asked for beside a file. */
 let of_plates: (asked: PlatesAsked) => Mistake[];
+/** Of a drawing of another program. */
+let of_drawing: (asked: object) => Mistake[];
 beforeAll(async () => {
-  const session = new (await load_module()).Session();
+  const module = await load_module(),
+    session = new module.Session();
+  of_drawing = (asked) => {
+    const text = JSON.stringify({length_unit: "mm", size: 1, ...asked});
+    return (JSON.parse(module.report("outlines", text)) as {mistakes?: Mistake[]}).mistakes ?? [];
+  };
   read = (text) => (session.read(text) ? [] : (JSON.parse(session.mistakes()) as Mistake[]));
   of_plates = ({example, at, sizes, format}) => {
     session.set_problem(readFileSync(`${root}examples/${example}.json`, "utf8"));
@@ -39,6 +46,19 @@ const asked_of_plates: PlatesAsked[] = [
   {example: "tailgate", sizes: {width: 300, pin: 200}, format: "3mf"},
   {example: "folding_wing", sizes: {thickness: 40}, format: "stl"},
   {example: "folding_wing", sizes: {}, format: "plates"},
+];
+
+const dxf = (text: string) => ({format: "dxf", text}),
+  svg = (...elements: [number, string, object][]) => ({format: "svg", elements});
+const drawings = [
+  dxf("AutoCAD Binary DXF\r\n\x1a\0"),
+  dxf("nonsense"),
+  dxf("0\nSECTION\n2\nENTITIES\nx\n"),
+  dxf("0\nSECTION\n2\nENTITIES\n"),
+  svg(),
+  svg([-1, "html", {}]),
+  svg([-1, "svg", {}], [0, "text", {}]),
+  svg([-1, "svg", {}], [0, "g", {id: "a"}], [1, "use", {href: "#a"}], [1, "use", {"xlink:href": "#a"}]),
 ];
 
 /** Files that are text: others are refused before the engine sees them. */
@@ -241,13 +261,24 @@ describe("the engine's sentences about files", () => {
       expect(without_place(mistake)).toMatch(/\p{Script=Han}/u);
     }
   });
+  it.each(drawings)("are their texts where a drawing cannot be read: %o", (asked) => {
+    const mistakes = of_drawing(asked);
+    expect(mistakes).toHaveLength(1);
+    expect(without_place(mistakes[0]!)).toBe(mistakes[0]!.message);
+    preferences.language = "zh";
+    expect(mistake_text(mistakes[0]!)).toMatch(/^[^a-z]*\p{Script=Han}[^a-z]*(<svg>)?[^a-z]*$/u);
+  });
   it("all have a text", () => {
     const codes = codes_of_sources();
     expect(codes.length).toBeGreaterThan(90);
     expect(codes.filter((code) => !(`mistake.${code}` in en))).toEqual([]);
   });
   it("are all that there are texts for", () => {
-    const mistakes = [...texts.flatMap(({text}) => read(text)), ...asked_of_plates.flatMap(of_plates)],
+    const mistakes = [
+        ...texts.flatMap(({text}) => read(text)),
+        ...asked_of_plates.flatMap(of_plates),
+        ...drawings.flatMap(of_drawing),
+      ],
       provoked = new Set(mistakes.map(({code}) => code));
     const worded = Object.keys(en).flatMap((key) => (key.startsWith("mistake.") ? [key.slice("mistake.".length)] : []));
     expect(worded.filter((code) => !provoked.has(code)).sort()).toEqual(unprovoked.sort());

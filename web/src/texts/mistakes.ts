@@ -3,10 +3,11 @@ import type {Mistake} from "../contract/messages";
 import {preferences} from "../state/preferences.svelte";
 import {notice_text, t} from "./texts.svelte";
 
-/** "line 3, column 7" in the language in force; places in the file's own words stay. */
+/** "line 3, column 7" and "line 3" in the language in force; places in the file's own words stay. */
 function place_text(place: string): string {
-  const at = /^line (\d+), column (\d+)$/.exec(place);
-  return at ? t("mistakes.line", {line: at[1]!, column: at[2]!}) : place;
+  const [at, line, column] = /^line (\d+)(?:, column (\d+))?$/.exec(place) ?? [];
+  if (!at) return place;
+  return column ? t("mistakes.line", {line: line!, column}) : t("mistakes.whole_line", {line: line!});
 }
 
 /** Its place and its sentence. */

@@ -1,14 +1,13 @@
 import {mount, unmount} from "svelte";
 import OutlineChoice from "./OutlineChoice.svelte";
-import type {Shape} from "./shapes";
+import type {OutlineShape} from "../../contract/replies";
 
 /** The one that the user takes; nothing where the dialog is closed. Where there is only one, it is not asked for. */
 export function chosen_shape(
-  shapes: readonly Shape[],
+  shapes: readonly OutlineShape[],
   name: string,
-  factor: number,
   unit: string,
-): Promise<Shape | null> {
+): Promise<OutlineShape | null> {
   if (shapes.length <= 1) return Promise.resolve(shapes[0] ?? null);
   return new Promise((resolve) => {
     const dialog = mount(OutlineChoice, {
@@ -16,9 +15,8 @@ export function chosen_shape(
       props: {
         shapes,
         name,
-        factor,
         unit,
-        done: (shape: Shape | null) => {
+        done: (shape: OutlineShape | null) => {
           resolve(shape);
           void unmount(dialog);
         },
