@@ -218,7 +218,7 @@ const parts = [
 ];
 const visited_most = 760_000; // of all these: they are not at their bounds together
 const rest_of_engine = /\brest-[^/]*\.wasm$/,
-  rest_most = 1_050_000;
+  rest_most = 1_100_000;
 
 const sum = (values: readonly number[]) => values.reduce((total, value) => total + value, 0);
 const text_of = (file: string) => readFileSync(join(served, file));

@@ -3,6 +3,8 @@ import {writeFileSync} from "node:fs";
 import {readFileSync} from "node:fs";
 import {join} from "node:path";
 import type {Page} from "@playwright/test";
+import type {FrontStudy} from "../src/analyses/tolerances/front.svelte";
+import type {ToleranceStudy} from "../src/analyses/tolerances/study.svelte";
 import {
   examples,
   expect,
@@ -29,9 +31,14 @@ async function open_tailgate(page: Page): Promise<void> {
 }
 /** Of all samples, of the linkage in hand. */
 const figures = (page: Page) =>
-  read_state(page, ({tolerance_study: {figures}}) => figures && {error: figures.error, good: figures.yield});
+  read_state(page, ({studies}) => {
+    const {figures} = studies.tolerances as ToleranceStudy;
+    return figures && {error: figures.error, good: figures.yield};
+  });
 const until_sampled = (page: Page) =>
-  expect.poll(() => read_state(page, ({tolerance_study}) => tolerance_study.figures?.samples)).toBe(100_000);
+  expect
+    .poll(() => read_state(page, ({studies}) => (studies.tolerances as ToleranceStudy | undefined)?.figures?.samples))
+    .toBe(100_000);
 const length_of = (page: Page) => read_state(page, ({problem}) => problem.tolerances?.length);
 
 test.beforeEach(async ({page}) => {
@@ -77,12 +84,18 @@ test("plot and map point at each other", async ({page}) => {
   const plot = page.getByTestId("front.plot");
   await plot.focus();
   await page.keyboard.press("ArrowRight");
-  const first = await read_state(page, ({hovered, front_study}) => [hovered, front_study.found!.points.at(-1)!.tau]);
+  const first = await read_state(page, ({hovered, studies}) => [
+    hovered,
+    (studies.front as FrontStudy).found!.points.at(-1)!.tau,
+  ]);
   expect(first[0]).toEqual(first[1]);
   await expect(page.getByTestId("region.picked_ring")).toBeVisible(); // beside the crosshair on the other
   await page.keyboard.press("Enter");
   expect(
-    await read_state(page, ({picked, front_study}) => [picked!.tau, front_study.found!.points.at(-1)!.tau]),
+    await read_state(page, ({picked, studies}) => [
+      picked!.tau,
+      (studies.front as FrontStudy).found!.points.at(-1)!.tau,
+    ]),
   ).toEqual([first[1], first[1]]);
   await expect(page.getByTestId("front.hand")).toHaveCount(0);
   const box = (await page.getByTestId("region.map").boundingBox())!;

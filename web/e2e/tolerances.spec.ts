@@ -48,7 +48,7 @@ test.describe("on a wide screen", () => {
     const {tau, place} = await read_state(page, ({picked}) => ({tau: picked!.tau, place: picked!.place!}));
     const at = await map_pixel(page, place);
     await page.mouse.move(at.x + 12, at.y + 12);
-    await expect(page.getByTestId("region.card_tolerance")).toHaveText(
+    await expect(page.getByTestId("region.card_analysis")).toHaveText(
       /^[\d.]+ mm RMS, [\d.]+ mm at worst · yield [\d.]+\u00a0%$/,
     );
     await expect.poll(() => read_state(page, (workbench) => workbench.hand!.tau)).not.toEqual(tau);
@@ -92,6 +92,6 @@ test.describe("on a phone", () => {
     await expect(page.getByTestId("region.upper_end")).toHaveCount(1);
     expect(await page.evaluate(() => document.querySelector(".app")!.scrollWidth)).toBe(390);
     await until_settled(page);
-    await expect(page.getByTestId("num.line_tolerance")).toContainText("mm");
+    await expect(page.getByTestId("num.line_analysis")).toContainText("mm");
   });
 });

@@ -59,6 +59,22 @@ describe("imports", () => {
   it("make no circles", () => expect(circles()).toEqual([]));
 });
 
+describe("the frame and the kinds", () => {
+  const analyses = readdirSync(join(root, "analyses"), {withFileTypes: true})
+    .filter((entry) => entry.isDirectory())
+    .map(({name}) => name);
+  const folders = analyses.map((name) => `analyses/${name}/`);
+  const others = files.filter((file) => !folders.some((folder) => file.startsWith(folder)));
+
+  it("have analyses to know nothing of", () => expect(analyses).toEqual(["tolerances"]));
+  it.each(others)("reach none from %s but through the registry, or to say what is made", (file) => {
+    const reached = imports.get(file)!.filter((to) => folders.some((folder) => to.startsWith(folder)));
+    const allowed =
+      file === "analyses/registry.ts" ? /\/index\.ts$/ : /^tasks\/.*\/kind\.ts$/.test(file) ? /\/making\.ts$/ : /^$/;
+    expect(reached.filter((to) => !allowed.test(to))).toEqual([]);
+  });
+});
+
 describe("the frame", () => {
   const kinds = readdirSync(join(root, "tasks"), {withFileTypes: true})
     .filter((entry) => entry.isDirectory())

@@ -1,4 +1,6 @@
 // The engine in the page against the program: the same library, compiled twice, must give the same answers.
+import {criteria_of} from "../src/analyses/analyses";
+import {suggested_limit, suggested_tolerances} from "../src/analyses/tolerances/editing";
 import {execFileSync} from "node:child_process";
 import {existsSync, mkdtempSync, readdirSync, readFileSync, writeFileSync} from "node:fs";
 import {tmpdir} from "node:os";
@@ -36,8 +38,6 @@ import {
   property_descriptions,
   kind_of,
   requirements_of,
-  suggested_limit,
-  suggested_tolerances,
   task_kinds,
 } from "../src/tasks/kinds";
 import {round_of, rounds_of} from "../src/tasks/six_bar/search.svelte";
@@ -567,7 +567,7 @@ describe("yields", () => {
 
 describe("suggested tolerances", () => {
   const beginnings = task_kinds
-    .flatMap((kind) => (kind.making ? kind.beginnings : []))
+    .flatMap((kind) => (kind.analysed?.tolerances ? kind.beginnings : []))
     .map(({id, make}) => ({id, problem: make()}))
     .filter(({problem}) => incompleteness(problem) === null);
 
@@ -577,7 +577,7 @@ describe("suggested tolerances", () => {
     const keys = requirements_of(problem.task),
       required = {...asked, requirements: {...asked.requirements, max_tolerance_error: 1e6, min_yield: 0.01}};
     expect(keys.slice(-2)).toEqual(["max_tolerance_error", "min_yield"]);
-    expect(Object.keys(kind_of(problem.task).requirements).sort()).toEqual([...keys].sort());
+    expect(Object.keys(criteria_of(kind_of(problem.task)).requirements).sort()).toEqual([...keys].sort());
     expect(properties_of(asked)).toEqual(expect.arrayContaining(["tolerance_error", "yield"]));
     for (const objective of ["tolerance_error", "yield"] as const) {
       const text = engine_text({...required, options: {...required.options, objective}}),

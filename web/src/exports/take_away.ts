@@ -5,7 +5,7 @@ import {css_values} from "../state/css_values";
 import {engine_text, outline_of, type Problem} from "../state/problem";
 import {preferences} from "../state/preferences.svelte";
 import {poses_of} from "../state/task";
-import {tolerances_of} from "../state/tolerances";
+import {given_views} from "../analyses/views";
 import type {Workbench} from "../state/workbench.svelte";
 import {gives_linkage, with_other_task} from "../tasks/kinds";
 import {task_view} from "../tasks/views";
@@ -137,7 +137,8 @@ export function from_engine(
 }
 /** The engine's drawing of the positions, or the page's where more is shown in it. */
 export async function svg_of(workbench: Workbench, target: Target): Promise<string> {
-  const is_more = preferences.instant || (preferences.samples && tolerances_of(target.problem) !== null);
+  const is_more =
+    preferences.instant || given_views(target.problem).some((view) => view.may_be_in_picture?.(target.problem));
   const shown = is_more && target.pin === null ? drawing_with_more() : null;
   if (shown) return drawing_svg(shown)!;
   return (await from_engine(workbench, target, "svg")).text;

@@ -1,6 +1,6 @@
 import {describe, expect, it} from "vitest";
 import type {Requirements} from "../contract/messages";
-import type {Tolerances} from "../state/tolerances";
+import type {Tolerances} from "../analyses/tolerances/block";
 import {new_problem} from "../tasks/motion/kind";
 import {
   colorings_of,

@@ -3,10 +3,9 @@ import type {LinkageType, Property, Requirements, TaskAnswer} from "../contract/
 import {round_step} from "../state/problem";
 import type {Problem} from "../state/problem";
 import type {Workbench} from "../state/workbench.svelte";
-import {kind_of, making_of, properties_of, property_descriptions, requirement_descriptions} from "../tasks/kinds";
+import {properties_of, property_descriptions, property_of, requirement_descriptions} from "../tasks/kinds";
 import type {TermName} from "../terms/pictures";
 import type {TextKey} from "../texts/texts.svelte";
-import type {PropertyDescription} from "../tasks/kind";
 import {degrees_text, percent_text, significant, with_unit} from "../texts/numbers";
 import type {Range} from "./value_range";
 
@@ -30,21 +29,17 @@ export function is_of_meeting(coloring: Coloring): boolean {
 
 /** What is shown, and what the engine said of its task. */
 interface Shown {
-  problem: Pick<Problem, "task" | "tolerances">;
+  problem: Pick<Problem, "task">;
   task: Pick<TaskAnswer, "requirements" | "characteristic_length"> | null;
-}
-function described({problem}: Shown, property: Property): PropertyDescription {
-  return kind_of(problem.task).properties[property] ?? property_descriptions[property];
 }
 /** What the scale bar spans. */
 export function domain(property: Property, of: Shown): [number, number] {
   const {requirements = {}, characteristic_length = 1} = of.task ?? {};
-  return described(of, property).span(requirements, characteristic_length, of.problem.tolerances);
+  return property_of(of.problem.task, property).span(requirements, characteristic_length, of.problem);
 }
 /** What its numbers are in, where they are lengths, or errors. */
 export function unit_for(property: Property, {problem, unit}: Pick<Workbench, "problem" | "unit">): string {
-  const is_error = property_descriptions[property].quantity === "error";
-  return is_error && making_of(problem.task)?.error === "angle" ? "°" : unit;
+  return property_of(problem.task, property).in_degrees ? "°" : unit;
 }
 
 /** The requirement's threshold on this property, where there is one that can be moved. */
@@ -82,7 +77,7 @@ export function painted_range(property: Property, ends: readonly [number, number
 /** Contour levels, the requirement's own among them. */
 export function contour_levels(property: Property, of: Shown): {level: number; bold: boolean}[] {
   const bold = threshold(property, of.task?.requirements ?? {});
-  const levels = new Set(described(of, property).levels(domain(property, of)));
+  const levels = new Set(property_of(of.problem.task, property).levels(domain(property, of)));
   if (bold !== null && bold > 0) levels.add(bold);
   return [...levels].sort((a, b) => a - b).map((level) => ({level, bold: level === bold}));
 }

@@ -11,7 +11,7 @@ import {
 } from "../contract/messages";
 import type {Task} from "../state/task";
 import type {Workbench} from "../state/workbench.svelte";
-import {making_of, requirement_descriptions, requirements_of, text_for} from "../tasks/kinds";
+import {requirement_descriptions, requirement_of, requirements_of, text_for} from "../tasks/kinds";
 import {grouped, percent_text, significant, with_unit} from "../texts/numbers";
 import {t} from "../texts/texts.svelte";
 import {least_of, most_of} from "../state/ends";
@@ -68,13 +68,11 @@ export function all_dropped(keys: readonly RequirementKey[]): Partial<Requiremen
 export type Units = Pick<Workbench, "problem" | "unit">;
 /** The unit of what can be typed in. */
 export function unit_of(key: RequirementKey, {problem, unit}: Units): string {
-  const described = requirement_descriptions[key];
+  const described = requirement_of(problem.task, key);
   if (described.control === "transmission_angle") return "°";
   if (described.control !== "limit" || described.quantity === "ratio") return "";
   if (described.quantity === "percent") return "%";
-  const is_angle =
-    described.quantity === "angle" || (described.quantity === "error" && making_of(problem.task)?.error === "angle");
-  return is_angle ? "°" : unit;
+  return described.quantity === "angle" || described.in_degrees ? "°" : unit;
 }
 export function value_text(key: RequirementKey, value: number | Box, units: Units): string {
   if (typeof value !== "number")
@@ -83,7 +81,8 @@ export function value_text(key: RequirementKey, value: number | Box, units: Unit
       .join(", ");
   const of = unit_of(key, units);
   if (of === "%") return percent_text(value);
-  const is_fine = of !== "°" || key === "max_tolerance_error";
+  const described = requirement_of(units.problem.task, key),
+    is_fine = of !== "°" || (described.control === "limit" && described.quantity === "error");
   return with_unit(is_fine ? significant(value, 6) : significant(Number(value.toFixed(2)), 4), of);
 }
 

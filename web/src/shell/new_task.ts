@@ -1,4 +1,5 @@
 // A new task, with what it has in common with the one in hand: the positions or orientations of a guided body.
+import {without_blocks} from "../analyses/analyses";
 import {examples} from "../gallery/gallery";
 import type {Orientation} from "../orientation/orientation";
 import type {Problem} from "../state/problem";
@@ -49,7 +50,7 @@ export function going_on(problem: Problem, beginning: Beginning): Problem {
   if (!common) return as_new;
   const kept = {...as_new, ...with_other_task(problem, other_task(task, beginning))};
   if (has_linkages(kept.task)) return kept;
-  const {requirements: _, tolerances: __, options: ___, ...bare} = kept;
+  const {requirements: _, options: __, ...bare} = without_blocks(kept);
   return bare;
 }
 function other_task(task: Task, beginning: Beginning): Task {

@@ -7,7 +7,6 @@ import type {RequirementDescription} from "../tasks/kind";
 import {objective_descriptions, property_descriptions, requirement_descriptions} from "../tasks/kinds";
 import type {Background, Objective, Options, Pin, Problem, SolidBody, View} from "./problem";
 import type {Task} from "./task";
-import {distributions, length_entries, limit_kinds, type LengthTolerances, type Tolerances} from "./tolerances";
 
 /** Of all kinds: tasks, and what is required by a control of the kind's own. */
 interface OfKind {
@@ -15,6 +14,13 @@ interface OfKind {
   arbitrary_requirements?: {[K in RequirementKey]?: Arbitrary<Requirements[K]>};
 }
 const kinds = Object.values(import.meta.glob<OfKind>("../tasks/*/arbitrary.ts", {eager: true}));
+/** Of analyses: their blocks. */
+const blocks = Object.assign(
+  {},
+  ...Object.values(import.meta.glob<{arbitrary_block: object}>("../analyses/*/arbitrary.ts", {eager: true})).map(
+    ({arbitrary_block}) => arbitrary_block,
+  ),
+) as object;
 export const task: Arbitrary<Task> = fc.oneof(...kinds.map(({arbitrary_task}) => arbitrary_task));
 
 // ---- the rest of a problem ------------------------------------------------------------------------------------------
@@ -50,25 +56,6 @@ const requirements = record<Requirements>({}, {
   respect_direction: fc.boolean(),
   least_sweep: limit(0, 1), // of a later version
 } as object);
-const half = fc.double({min: 0, max: 1e9, noNaN: true});
-const tolerances = record<Tolerances>(
-  {},
-  {
-    length: fc.oneof(
-      half,
-      record<LengthTolerances>({}, Object.fromEntries(length_entries.map((entry) => [entry, half])) as object),
-    ),
-    clearance: half,
-    driver_deg: half,
-    link_angle_deg: half,
-    distribution: fc.constantFrom(...distributions),
-    turning_length: half,
-    limit: fc.tuple(fc.constantFrom(...limit_kinds), positive()).map(([kind, value]) => ({[kind]: value})),
-    cost: fc.record({exponent: positive(10)}),
-    samples: fc.integer({min: 1000, max: 10_000_000}),
-    seed: fc.nat(),
-  },
-);
 const options = record<Options>(
   {},
   {
@@ -138,7 +125,7 @@ const body: Arbitrary<SolidBody> = fc.oneof(
 const view = record<View>({}, {outline: points(3, 40), background, body, traced: points(0, 5)});
 const problem: Arbitrary<Problem> = record<Problem>(
   {linkwright: fc.constant(1), task},
-  {title: text(200), length_unit: text(20), requirements, tolerances, options, view},
+  {title: text(200), length_unit: text(20), requirements, options, view, ...blocks},
 );
 
 export const document: Arbitrary<Document> = fc

@@ -12,6 +12,7 @@ import {
 } from "../contract/messages";
 import type {Questions} from "../questions/questions";
 import type {Answers} from "./answers.svelte";
+import {property_of, sampled_properties} from "../tasks/kinds";
 import {settled_on, type Document} from "./document";
 import {engine_text, same_question, type Problem} from "./problem";
 import {YieldSampler, type YieldProgress} from "./yield_sampler";
@@ -186,8 +187,13 @@ export class MapFollower {
   }
   /** They are shown, or what is required goes by them: a map as fine as the eye sees would take them minutes. */
   private get wants_yields(): boolean {
-    const {property, problem} = this.mapped;
-    return property === "yield" || (problem.requirements?.min_yield ?? 0) > 0;
+    const {
+      property,
+      problem: {task, requirements = {}},
+    } = this.mapped;
+    return sampled_properties(task).some(
+      (key) => key === property || ((requirements[property_of(task, key).requirement!] as number | undefined) ?? 0) > 0,
+    );
   }
   private async show_yields(progress: YieldProgress): Promise<boolean> {
     const {mapped, asked} = this,

@@ -2,7 +2,6 @@
 import type {Options} from "../contract/problem";
 import type {LinkageType, Pivot, Point, Requirements, TauPair} from "../contract/messages";
 import {diagonal_of, poses_of, type Pose, type Task} from "./task";
-import type {Tolerances} from "./tolerances";
 
 export type {Options};
 export type Objective = NonNullable<Options["objective"]>;
@@ -48,13 +47,13 @@ export interface View {
   traced?: readonly Point[]; // body points whose curves are drawn, body coordinates
   order?: number; // display order of the map
 }
+/** Analyses add their blocks (analyses/analysis.ts). */
 export interface Problem {
   linkwright: 1;
   title?: string;
   length_unit?: string;
   task: Task;
   requirements?: Requirements;
-  tolerances?: Tolerances;
   options?: Options;
   view?: View;
 }

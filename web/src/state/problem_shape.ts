@@ -1,11 +1,11 @@
 // What comes from outside (a link, a file, the browser's store) as a problem, or nothing. The engine says what is wrong
 // with a task; the view, which it keeps and never reads, is looked through here: what does not fit is left out.
+import {read_blocks} from "../analyses/analyses";
 import {linkage_types, type Pivot, type Point, type TauPair} from "../contract/messages";
 import {objective_descriptions, read_task, requirement_descriptions, task_of_poses} from "../tasks/kinds";
 import type {RequirementDescription} from "../tasks/kind";
 import {unused_name} from "./pins";
 import {most_pins, type Background, type Pin, type Problem, type SolidBody, type View} from "./problem";
-import {read_tolerances} from "./tolerances";
 import {is_finite, is_number, is_object, is_pair, read_list, type Object} from "./shape";
 
 const most_points = 10_000,
@@ -176,7 +176,6 @@ export function read_problem(value: unknown): Problem | null {
   const text = (key: string) =>
     typeof value[key] === "string" ? {[key]: (value[key] as string).slice(0, longest_text)} : {};
   const requirements = sound(value.requirements, requirement_checks),
-    tolerances = read_tolerances(value.tolerances),
     options = sound(value.options, option_checks);
   const view = read_view(value.view);
   return {
@@ -185,7 +184,7 @@ export function read_problem(value: unknown): Problem | null {
     ...text("length_unit"),
     task,
     ...(requirements ? {requirements} : {}),
-    ...(tolerances ? {tolerances} : {}),
+    ...read_blocks(value),
     ...(options ? {options} : {}),
     ...(Object.keys(view).length ? {view} : {}),
   };

@@ -1,5 +1,6 @@
 // The one state of the page. Views read it and call its actions; none keeps a copy. What is undoable is in `document`
 // (editing.svelte.ts); the rest is how it is being looked at and what the engine answers, for which two followers ask.
+import {analysis_of_card, block_of} from "../analyses/analyses";
 import {EngineClient, no_answer, patience_ms} from "../engine/client";
 import {
   whole,
@@ -38,7 +39,6 @@ import {held_tau, held_window, places_of} from "../engine/axis";
 import {from_problem, to_problem} from "./document";
 import {angle_at_stage, stage_at_angle} from "./drive";
 import {Editing} from "./editing.svelte";
-import {FrontStudy} from "./front_study.svelte";
 import {HaloFollower} from "./halo_follower";
 import {LinkageFollower} from "./linkage_follower";
 import {MapFollower} from "./map_follower";
@@ -47,14 +47,12 @@ import {preferences} from "./preferences.svelte";
 import {most_pins, type Pin, type Problem} from "./problem";
 import type {Steps} from "./steps";
 import {same_task} from "./task";
-import {tolerances_of} from "./tolerances";
-import {ToleranceStudy} from "./tolerance_study.svelte";
 import {WayOutSeeker} from "./way_out.svelte";
 import {after_change, with_toast, type Toast} from "./toasts";
 
 export type Mode = "point" | "outline" | "ground_box" | "moving_box" | "search_box" | "trace" | "scale";
-/** What stands below the map. */
-export type Below = "numbers" | "best" | "tolerances" | "front";
+/** What stands below the map; else an analysis's card, by its id. */
+export const below_kinds = ["numbers", "best"] as const;
 export type Sheet = "task" | "limits" | "pins" | "numbers" | "map";
 export type Dialog = "examples" | "tasks" | "export" | "keys" | "compare" | "new" | "kind" | "print";
 
@@ -99,7 +97,7 @@ export class Workbench extends Editing {
   full = $state<"none" | "drawing" | "map">("none");
   solid = $state(false);
   sheet = $state<Sheet | null>(null);
-  below = $state<Below>("numbers");
+  below = $state<string>("numbers");
   dialog = $state<Dialog | null>(null);
   toasts = $state.raw<Toast[]>([]);
   /** Step of the drawing's grid at its zoom, to which positions snap; the drawing says. */
@@ -118,8 +116,8 @@ export class Workbench extends Editing {
   readonly halos = new HaloFollower(this);
   readonly way_out = new WayOutSeeker(this, with_pose_moved);
   readonly best_list = new BestList(this);
-  readonly tolerance_study = new ToleranceStudy(this);
-  readonly front_study = new FrontStudy(this);
+  /** What analyses keep of what they have found, by what they call it. */
+  readonly studies: Record<string, object> = {};
   engine: EngineClient | null = null; // follows the task
   driver_client: EngineClient | null = null; // follows the pointer
   /** One more engine, for what takes its time. */
@@ -186,10 +184,14 @@ export class Workbench extends Editing {
     return has_lengths(this.problem.task) ? (this.problem.length_unit ?? "") : "";
   }
   /** What was asked for below the map, where there is that. */
-  get below_map(): Below {
+  get below_map(): string {
     if (gives_linkage(this.problem.task)) return "numbers";
-    const about_tolerances = this.below === "tolerances" || this.below === "front";
-    return about_tolerances && !tolerances_of(this.problem) ? "numbers" : this.below;
+    const analysis = analysis_of_card(this.below);
+    return analysis && !block_of(this.problem, analysis) ? "numbers" : this.below;
+  }
+  /** Made when it is first asked for. */
+  study<Study extends object>(name: string, make: () => Study): Study {
+    return (this.studies[name] ??= make()) as Study;
   }
   /** The problem as it is saved and shared: with what is picked and pinned. */
   get whole_problem(): Problem {

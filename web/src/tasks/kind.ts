@@ -5,7 +5,6 @@ import type {Orientation} from "../orientation/orientation";
 import type {Objective, Pin, Problem} from "../state/problem";
 import type {Object} from "../state/shape";
 import type {Pose, Task} from "../state/task";
-import type {LengthEntry, LimitKind, Tolerances} from "../state/tolerances";
 import type {TermName} from "../terms/pictures";
 import type {TextKey} from "../texts/texts.svelte";
 
@@ -43,35 +42,33 @@ export interface NamedJoint {
   color: string;
   term?: TermName;
 }
-/** What must be given for something to be asked: tolerances, or with them a limit of the error as well. */
-export type Needs = "tolerances" | "limit";
-/** What of its linkages is made with tolerances, and how their errors are told. */
-export interface Making {
-  /** Lengths that have tolerances, by name; null: links are arcs, whose angles have one. */
-  lengths: Partial<Record<LengthEntry, TextKey>> | null;
-  error: "length" | "angle";
-  /** That a linkage can be held to; the usual one first. */
-  limits: readonly LimitKind[];
+/** What analyses have to know of a kind's linkages, by their blocks: each adds what that is. */
+export interface Analysed {
+  [block: string]: object | undefined;
 }
 /** What a colour of the map stands for. `T`: the kind's tasks, here and below. */
 export interface PropertyDescription<T extends Task = Task> {
   /** Not all of the kind's tasks have it. */
   is_of?(task: T): boolean;
-  needs?: Needs;
+  /** Of an analysis: what must be given of its block. */
+  needs?: string;
   text: TextKey;
   short: TextKey;
   term: TermName | null;
   larger_is_better: boolean;
   /** Which limits it. */
   requirement: RequirementKey | null;
-  /** A share is a number without a unit, from 0 up; an error is a length or an angle (Making). */
+  /** A share is a number without a unit, from 0 up; an error a length, or told in degrees. */
   quantity: "angle" | "fine_angle" | "ratio" | "share" | "percent" | "length" | "error";
+  in_degrees?: boolean;
   /** Equal steps of the scale are equal ratios. */
   logarithmic?: boolean;
   /** Known of cells that meet everything only. */
   of_meeting?: boolean;
+  /** By samples, cell by cell. */
+  sampled?: boolean;
   /** What the scale bar spans. `typical`: a length of the task's size. */
-  span(requirements: Requirements, typical: number, tolerances: Tolerances | undefined): [number, number];
+  span(requirements: Requirements, typical: number, problem: Partial<Problem>): [number, number];
   /** Contour levels within the span. */
   levels(span: readonly [number, number]): number[];
 }
@@ -89,8 +86,9 @@ export type RequirementDescription = NamedRequirement &
         control: "limit";
         bound: "least" | "most";
         quantity: "angle" | "ratio" | "length" | "percent" | "error";
+        in_degrees?: boolean;
         from: number;
-        needs?: Needs;
+        needs?: string;
       }
     /** Where pivots at these ends of the grounded links are to lie. */
     | {control: "box"; end: End}
@@ -103,7 +101,7 @@ export interface ObjectiveDescription<T extends Task = Task> {
   /** On the map. */
   measure: Property;
   is_of?(task: T): boolean;
-  needs?: Needs;
+  needs?: string;
 }
 /** All but the views. */
 export interface TaskKind<T extends Task = Task> {
@@ -152,8 +150,7 @@ export interface TaskKind<T extends Task = Task> {
   requirements: Partial<Record<RequirementKey, RequirementDescription>>;
   /** In the order of the list to choose from. */
   objectives: Partial<Record<Objective, ObjectiveDescription<T>>>;
-  /** None: nothing is asked of its tolerances. */
-  making?: Making;
+  analysed?: Analysed;
   /** Where the file is silent; none: the transmission angle. */
   default_objective?: Objective;
   /** The fixed frame seen from elsewhere: points by `point`; poses are the frame's matter. */

@@ -1,4 +1,5 @@
 import {describe, expect, it} from "vitest";
+import {made_to, suggested_limit, suggested_tolerances} from "../analyses/tolerances/editing";
 import {preferences} from "../state/preferences.svelte";
 import type {Problem} from "../state/problem";
 import {read_problem} from "../state/problem_shape";
@@ -12,12 +13,9 @@ import {
   seeks_linkages,
   incompleteness,
   kind_of,
-  made_to,
   map_of,
   objectives_of,
   read_task,
-  suggested_limit,
-  suggested_tolerances,
   task_kinds,
   told,
   with_other_task,

@@ -9,36 +9,17 @@ import {
   type RequirementKey,
   type Requirements,
 } from "../contract/messages";
-import {
-  round_step,
-  with_options,
-  with_requirements,
-  with_task,
-  type Objective,
-  type Pin,
-  type Problem,
-} from "../state/problem";
-import {most_of} from "../state/ends";
+import {with_options, with_requirements, with_task, type Objective, type Pin, type Problem} from "../state/problem";
 import {is_object, type Object} from "../state/shape";
 import {diagonal_of, poses_of, type Pose, type Task} from "../state/task";
-import {
-  is_exact,
-  length_entries,
-  length_tolerance,
-  limit_of,
-  with_tolerances,
-  type Limit,
-  type LimitKind,
-  type Tolerances,
-} from "../state/tolerances";
+import {block_of, changed_requirements, criteria_of, given_analyses, is_given, with_block} from "../analyses/analyses";
+import type {Analysis} from "../analyses/analysis";
 import {notice_text, type TextKey} from "../texts/texts.svelte";
 import type {TermName} from "../terms/pictures";
 import type {
   Incomplete,
-  Making,
   NamedJoint,
   NamedLength,
-  Needs,
   ObjectiveDescription,
   PropertyDescription,
   RequirementDescription,
@@ -121,20 +102,32 @@ export function anchors_of(task: Task): Point[] {
 export function extent_of(task: Task): number {
   return diagonal_of(anchors_of(task)) || 1;
 }
-/** Of a problem, what says what can be asked of its linkages. */
-type Asked = Pick<Problem, "task" | "tolerances">;
+/** Of a problem, with the blocks of analyses, what says what can be asked of its linkages. */
+type Asked = Pick<Problem, "task">;
 /** Keys of what this problem has of a kind's list. */
 function keys_of<K extends string>(
-  list: Partial<Record<K, {is_of?(task: Task): boolean; needs?: Needs}>>,
+  list: Partial<Record<K, {is_of?(task: Task): boolean; needs?: string}>>,
   problem: Asked,
 ): K[] {
   return (Object.keys(list) as K[]).filter(
     (key) => (list[key]!.is_of?.(problem.task) ?? true) && has_needed(problem, list[key]!.needs),
   );
 }
+/** In words and numbers, as linkages of this task have it. */
+export function property_of(task: Task, property: Property): PropertyDescription {
+  return criteria_of(kind_of(task)).properties[property] ?? property_descriptions[property];
+}
+export function requirement_of(task: Task, key: RequirementKey): RequirementDescription {
+  return criteria_of(kind_of(task)).requirements[key] ?? requirement_descriptions[key];
+}
 /** What a colour of the map can stand for, beside the type. */
 export function properties_of(problem: Asked): Property[] {
-  return keys_of(kind_of(problem.task).properties, problem);
+  return keys_of(criteria_of(kind_of(problem.task)).properties, problem);
+}
+/** Of which the map knows what has been sampled. */
+export function sampled_properties(task: Task): Property[] {
+  const {properties} = criteria_of(kind_of(task));
+  return (Object.keys(properties) as Property[]).filter((key) => properties[key]!.sampled);
 }
 /** What a linkage of this task can be, degenerate left out. */
 export function types_of(task: Task): readonly LinkageType[] {
@@ -143,14 +136,17 @@ export function types_of(task: Task): readonly LinkageType[] {
 /** What can be required of a linkage of this task: a requirement's place among them is its bit. */
 export function requirements_of(task: Task): readonly RequirementKey[] {
   const of_engine: Readonly<Record<string, readonly RequirementKey[]>> = requirement_keys_of;
-  return of_engine[`${task.kind} ${task.mechanism}`] ?? (Object.keys(kind_of(task).requirements) as RequirementKey[]);
+  return (
+    of_engine[`${task.kind} ${task.mechanism}`] ??
+    (Object.keys(criteria_of(kind_of(task)).requirements) as RequirementKey[])
+  );
 }
 export function requirement_bit(task: Task, key: RequirementKey): number {
   const place = requirements_of(task).indexOf(key);
   return place < 0 ? 0 : 1 << place;
 }
 export function objectives_of(problem: Asked): Objective[] {
-  return keys_of(kind_of(problem.task).objectives, problem);
+  return keys_of(criteria_of(kind_of(problem.task)).objectives, problem);
 }
 export function objective_of({task, options}: Problem): Objective {
   return options?.objective ?? kind_of(task).default_objective ?? "min_transmission_angle";
@@ -159,7 +155,7 @@ export function objective_of({task, options}: Problem): Objective {
 export function measure_of(problem: Problem): Property {
   const {task} = problem,
     has = properties_of(problem),
-    measure = kind_of(task).objectives[objective_of(problem)]?.measure;
+    measure = criteria_of(kind_of(task)).objectives[objective_of(problem)]?.measure;
   return measure && has.includes(measure) ? measure : (has[0] ?? "min_transmission_angle_deg");
 }
 /** Of all kinds, in words and numbers. */
@@ -167,12 +163,12 @@ export const property_descriptions = in_all("properties") as Record<Property, Pr
 export const requirement_descriptions = in_all("requirements") as Record<RequirementKey, RequirementDescription>;
 export const objective_descriptions = in_all("objectives") as Record<Objective, ObjectiveDescription>;
 function in_all(list: "properties" | "requirements" | "objectives"): object {
-  return Object.assign({}, ...task_kinds.map((kind) => kind[list]));
+  return Object.assign({}, ...task_kinds.map((kind) => criteria_of(kind)[list]));
 }
 /** The problem with another task, without what goes only with the old one: an objective, requirements of another kind,
- *  tolerances of what its linkages do not have. */
+ *  what analyses say of what its linkages do not have. */
 export function with_other_task<T extends Task>(problem: Problem, task: T): Problem {
-  const changed = with_fitting_tolerances(with_task(problem, task), making_of(problem.task)),
+  const changed = with_fitting_analyses(with_task(problem, task), kind_of(problem.task)),
     has = objectives_of(changed),
     lost = objectives_of(problem).filter((objective) => !has.includes(objective)),
     fitting = kind_of(problem.task) === kind_of(task) ? changed : with_known_requirements(changed);
@@ -183,7 +179,7 @@ export function with_other_task<T extends Task>(problem: Problem, task: T): Prob
 /** Only what can be required of a linkage of its task. */
 function with_known_requirements(problem: Problem): Problem {
   const {task, requirements} = problem,
-    has = kind_of(task).requirements;
+    has = criteria_of(kind_of(task)).requirements;
   if (!requirements) return problem;
   const kept: Requirements = Object.fromEntries(
     Object.entries(requirements).filter(([key]) => key in has || key === "respect_direction"),
@@ -191,72 +187,46 @@ function with_known_requirements(problem: Problem): Problem {
   const types = kept.types?.filter((type) => types_of(task).includes(type));
   return {...problem, requirements: types ? {...kept, types} : kept};
 }
-// ---- tolerances -----------------------------------------------------------------------------------------------------
+// ---- analyses -------------------------------------------------------------------------------------------------------
 
-/** Null: nothing is asked of the tolerances of such linkages. */
-export function making_of(task: Task): Making | null {
-  return kind_of(task).making ?? null;
-}
-/** Linkages that are searched for have no map on which they could be ranked by tolerances. */
+/** Linkages that are searched for have no map on which they could be ranked by what an analysis says. */
 function is_searched(task: Task): boolean {
   const state = kind_of(task).incompleteness(task)?.state;
   return state === "no_chain" || state === "to_be_sought";
 }
-export function has_needed({task, tolerances}: Asked, needs: Needs | undefined): boolean {
-  if (!needs) return true;
-  if (!tolerances || is_searched(task)) return false;
-  return needs === "tolerances" || limit_of(tolerances) !== null;
+export function has_needed(problem: Asked, needs: string | undefined): boolean {
+  return !needs || (!is_searched(problem.task) && is_given(problem, needs));
 }
-/** With other tolerances, or none; what is asked of linkages only with those that there were goes with them. */
-export function made_to(problem: Problem, tolerances: Tolerances | null): Problem {
-  const {tolerances: _, ...bare} = problem;
-  return without_unmet(tolerances ? with_tolerances(bare, tolerances) : bare);
+/** With another block of an analysis, or none; what is asked of linkages only with the one there was goes with it. */
+export function with_analysis(problem: Problem, analysis: Pick<Analysis, "block">, given: object | null): Problem {
+  return without_unmet(with_block(problem, analysis, given));
 }
 /** Without requirements and an objective that need what is not given. */
 export function without_unmet(problem: Problem): Problem {
-  const {requirements, objectives} = kind_of(problem.task),
+  const {requirements, objectives} = criteria_of(kind_of(problem.task)),
     objective = problem.options?.objective,
-    unmet = (needs: Needs | undefined) => !has_needed(problem, needs);
+    unmet = (needs: string | undefined) => !has_needed(problem, needs);
   const asked = Object.keys(problem.requirements ?? {}) as RequirementKey[],
     lost = asked.filter((key) => unmet(needs_of(requirements[key])));
-  const kept = lost.length
-    ? with_requirements(problem, Object.fromEntries(lost.map((key) => [key, undefined])))
-    : problem;
+  const kept = without_requirements(problem, lost);
   return objective && unmet(objectives[objective]?.needs) ? with_options(kept, {objective: undefined}) : kept;
 }
-export function needs_of(described: RequirementDescription | undefined): Needs | undefined {
+function without_requirements(problem: Problem, keys: readonly RequirementKey[]): Problem {
+  if (keys.length === 0) return problem;
+  return with_requirements(problem, Object.fromEntries(keys.map((key) => [key, undefined])));
+}
+export function needs_of(described: RequirementDescription | undefined): string | undefined {
   return described?.control === "limit" ? described.needs : undefined;
 }
-/** Tolerances of what the task's linkages have; `before`: of those that they were for. */
-function with_fitting_tolerances(problem: Problem, before: Making | null): Problem {
-  const making = making_of(problem.task),
-    {tolerances} = problem;
-  if (!tolerances) return problem;
-  const fitting = making && fitted(tolerances, making);
-  const changed = made_to(problem, fitting && !is_exact(fitting) ? fitting : null);
-  return making?.error === before?.error ? changed : with_requirements(changed, {max_tolerance_error: undefined});
-}
-function fitted(tolerances: Tolerances, {lengths, limits}: Making): Tolerances {
-  const fitting = {...tolerances},
-    limit = limit_of(tolerances);
-  if (lengths) delete fitting.link_angle_deg;
-  else for (const key of ["length", "clearance", "turning_length"] as const) delete fitting[key];
-  if (limit && !limits.includes(limit.kind)) delete fitting.limit;
-  return fitting;
-}
-/** To begin with: a thousandth of the task's size, a tenth of a degree. */
-export function suggested_tolerances(task: Task): Tolerances {
-  return making_of(task)?.lengths ? {length: round_step(extent_of(task) / 1500)} : {link_angle_deg: 0.1};
-}
-/** To begin with: what most linkages can keep. */
-export function suggested_limit({task, tolerances = {}}: Asked, wanted?: LimitKind): Limit {
-  const {limits, lengths} = making_of(task)!,
-    kind = wanted ?? limits[0] ?? "position",
-    {clearance = 0, driver_deg = 0, link_angle_deg = 0} = tolerances,
-    largest = most_of([clearance, ...length_entries.map((entry) => length_tolerance(tolerances, entry))]);
-  const angle = Math.max(driver_deg, link_angle_deg, lengths ? (largest / extent_of(task)) * (180 / Math.PI) : 0);
-  const times = 4;
-  return {[kind]: round_step(times * ((kind === "angle_deg" ? angle : largest) || (angle * extent_of(task)) / 57.3))};
+/** With what goes with the task's linkages; `before`: with those of which it was said. */
+function with_fitting_analyses(problem: Problem, before: TaskKind): Problem {
+  const kind = kind_of(problem.task);
+  const fitting = given_analyses(problem).reduce(
+    (changed, analysis) => with_block(changed, analysis, analysis.fitted(block_of(changed, analysis)!, kind)),
+    problem,
+  );
+  const lost = given_analyses(problem).length ? changed_requirements(kind, before) : [];
+  return without_requirements(without_unmet(fitting), lost);
 }
 
 // ---- poses and words -------------------------------------------------------------------------------------------

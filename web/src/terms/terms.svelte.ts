@@ -3,7 +3,7 @@
 import type {Attachment} from "svelte/attachments";
 import type {Linkage, LinkageType} from "../contract/messages";
 import {term_of_kind} from "../tasks/kinds";
-import {pictures, type TermName} from "./pictures";
+import type {TermName} from "./pictures";
 
 export interface Explained {
   name: TermName;
@@ -40,7 +40,7 @@ class Terms {
 export const terms = new Terms();
 
 export function term_of_type(type: LinkageType): TermName {
-  return type === "degenerate" ? "slider" : type in pictures ? (type as TermName) : "change_point";
+  return type === "degenerate" ? "slider" : type;
 }
 /** Of a longer linkage than a four-bar, its make-up. */
 export function term_of_linkage(linkage: Pick<Linkage, "type">): TermName {

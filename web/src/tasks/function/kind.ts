@@ -14,7 +14,7 @@ import {
 import {significant} from "../../texts/numbers";
 import type {ObjectiveDescription, PropertyDescription, TaskKind} from "../kind";
 import {planar_objectives, planar_properties, planar_requirements, planar_types} from "../planar";
-import {angle_making, tolerance_objectives, tolerance_properties, tolerance_requirements} from "../tolerances";
+import {angle_making} from "../../analyses/tolerances/making";
 import {defaults} from "../../state/defaults";
 
 const most_pairs = 10_000;
@@ -212,15 +212,13 @@ export const function_kind: TaskKind<FunctionTask> = {
   properties: {
     ...planar_properties,
     max_structural_error_deg,
-    ...tolerance_properties("angle"),
   },
   types: planar_types,
-  requirements: {...planar_requirements, ...tolerance_requirements},
+  requirements: planar_requirements,
   objectives: {
     structural_error,
     ...planar_objectives,
-    ...tolerance_objectives,
   },
-  making: angle_making,
+  analysed: {tolerances: angle_making},
   beginnings: [{id: "function", name: "new.function", about: "new.function_about", make: new_problem}],
 };

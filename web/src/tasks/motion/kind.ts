@@ -7,7 +7,7 @@ import {is_motion, type Given, type MotionTask} from "./task";
 import {significant} from "../../texts/numbers";
 import type {Beginning, TaskKind} from "../kind";
 import {planar_objectives, planar_properties, planar_requirements, planar_types} from "../planar";
-import {body_making, tolerance_objectives, tolerance_properties, tolerance_requirements} from "../tolerances";
+import {body_making} from "../../analyses/tolerances/making";
 import {form_of} from "./given";
 import {lines_of, moved_given, pivots_of, read_lines, read_pivot_on, read_pivots, turned_line} from "./pivots";
 
@@ -162,12 +162,11 @@ export const motion_kind: TaskKind<MotionTask> = {
       span: (_, typical) => [0, 0.2 * typical],
       levels: length_levels,
     },
-    ...tolerance_properties("length"),
   },
   types: planar_types,
-  requirements: {...planar_requirements, ...tolerance_requirements},
-  objectives: {...planar_objectives, ...tolerance_objectives},
-  making: body_making,
+  requirements: planar_requirements,
+  objectives: planar_objectives,
+  analysed: {tolerances: body_making},
   moved: (task, point) => ({
     ...task,
     ...(task.given ? {given: moved_given(task.given, point)} : {}),

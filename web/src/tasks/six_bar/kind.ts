@@ -7,7 +7,7 @@ import {is_number, is_object, is_pair, read_list, type Object} from "../../state
 import {pattern_of, poses_of, position_count, type Pose} from "../../state/task";
 import type {TaskKind} from "../kind";
 import {planar_objectives, planar_properties, planar_requirements, planar_types} from "../planar";
-import {chain_making, tolerance_objectives, tolerance_properties, tolerance_requirements} from "../tolerances";
+import {chain_making} from "../../analyses/tolerances/making";
 import {row_of} from "./chain";
 import {default_max_length, new_problem as new_motion, pose_table, read_poses} from "../motion/kind";
 
@@ -55,11 +55,11 @@ export const six_bar_kind: TaskKind<SixBarTask> = {
   anchors: ({poses, chain}) => [...poses.map((pose): Point => [pose.x, pose.y]), ...points_of(chain)],
   default_max_length,
   map_of: ({added}) => `six_bar ${added.join(" ")}`,
-  properties: {...planar_properties, ...tolerance_properties("length")},
+  properties: planar_properties,
   types: planar_types,
-  requirements: {...planar_requirements, ...tolerance_requirements},
-  objectives: {...planar_objectives, ...tolerance_objectives},
-  making: chain_making,
+  requirements: planar_requirements,
+  objectives: planar_objectives,
+  analysed: {tolerances: chain_making},
   moved: (task, point) =>
     task.chain
       ? {...task, chain: {...task.chain, a: point(task.chain.a), b: point(task.chain.b), d: point(task.chain.d)}}

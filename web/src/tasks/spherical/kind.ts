@@ -9,7 +9,7 @@ import {significant} from "../../texts/numbers";
 import {t} from "../../texts/texts.svelte";
 import type {Beginning, NamedJoint, NamedLength, TaskKind} from "../kind";
 import {planar_objectives, planar_properties, planar_requirements} from "../planar";
-import {arc_making, tolerance_objectives, tolerance_properties, tolerance_requirements} from "../tolerances";
+import {arc_making} from "../../analyses/tolerances/making";
 import type {AxisName, Cone} from "./replies";
 import {
   is_spherical,
@@ -186,7 +186,6 @@ export const spherical_kind: TaskKind<SphericalTask> = {
     },
     min_transmission_angle_full_turn_deg: {...min_transmission_angle_full_turn_deg, short: "num.min_turn_short"},
     driver_sweep_deg,
-    ...tolerance_properties("angle"),
   },
   types: spherical_types,
   requirements: {
@@ -225,13 +224,11 @@ export const spherical_kind: TaskKind<SphericalTask> = {
       control: "own",
       is_value: is_cone,
     },
-    ...tolerance_requirements,
   },
-  making: arc_making,
+  analysed: {tolerances: arc_making},
   objectives: {
     min_transmission_angle: planar_objectives.min_transmission_angle,
     link_angle: {name: "req.objective.link_angle", measure: "min_link_angle_deg"},
-    ...tolerance_objectives,
   },
   moved: (task) => task,
   table: ({orientations}) => ({

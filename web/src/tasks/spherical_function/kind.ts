@@ -33,7 +33,7 @@ function new_problem(): Problem {
   };
   return {linkwright: 1, title: "", task, requirements: {min_transmission_angle_deg: 30}};
 }
-const {without_lengths, anchors, default_max_length, types, requirements, making, kept_pivots, filed_pivots} =
+const {without_lengths, anchors, default_max_length, types, requirements, analysed, kept_pivots, filed_pivots} =
   spherical_kind;
 
 export const spherical_function_kind: TaskKind<SphericalFunctionTask> = {
@@ -49,7 +49,7 @@ export const spherical_function_kind: TaskKind<SphericalFunctionTask> = {
   properties: {...(spherical_kind as unknown as TaskKind).properties, max_structural_error_deg},
   types,
   requirements,
-  making,
+  analysed,
   objectives: {structural_error, ...(spherical_kind as unknown as TaskKind).objectives},
   texts: {
     ...angles_kind.texts,

@@ -6,7 +6,7 @@ import {significant} from "../../texts/numbers";
 import {t} from "../../texts/texts.svelte";
 import type {NamedJoint, NamedLength, PropertyDescription, RequirementDescription, TaskKind} from "../kind";
 import {planar_objectives, planar_properties, planar_requirements, planar_types} from "../planar";
-import {line_making, tolerance_objectives, tolerance_properties, tolerance_requirements} from "../tolerances";
+import {line_making} from "../../analyses/tolerances/making";
 import {beside, form_name, form_of, forms, size_of} from "./cases";
 import {pattern_of_contacts} from "./contacts";
 import {case_names, is_straight_line, type Contact, type GivenNumbers, type Line, type StraightLineTask} from "./task";
@@ -137,7 +137,6 @@ const properties: TaskKind<StraightLineTask>["properties"] = {
   },
   link_ratio: planar_properties.link_ratio,
   longest_link: planar_properties.longest_link,
-  ...tolerance_properties("length"),
 };
 const limit = {control: "limit", term: null, quantity: "length", from: 0} as const;
 const {types, min_transmission_angle_deg, max_link_ratio, max_length, ground_pivots_within, moving_pivots_within} =
@@ -151,7 +150,6 @@ const requirements: Partial<Record<string, RequirementDescription>> = {
   moving_pivots_within,
   min_stroke: {name: "req.min_stroke", short: "req.short.min_stroke", bound: "least", ...limit},
   max_deviation: {name: "req.max_deviation", short: "req.short.max_deviation", bound: "most", ...limit},
-  ...tolerance_requirements,
 };
 
 function new_problem(task: Omit<StraightLineTask, "kind" | "mechanism">): Problem {
@@ -222,9 +220,8 @@ export const straight_line_kind: TaskKind<StraightLineTask> = {
     min_transmission_angle: planar_objectives.min_transmission_angle,
     size: planar_objectives.size,
     velocity_uniformity: {name: "req.objective.velocity_uniformity", measure: "velocity_nonuniformity"},
-    ...tolerance_objectives,
   },
-  making: line_making,
+  analysed: {tolerances: line_making},
   default_objective: "stroke",
   moved,
   table(task, unit) {

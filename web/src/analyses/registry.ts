@@ -1,0 +1,5 @@
+// The analyses there are: a folder and a line to each.
+import type {AnalysisModule} from "./analysis";
+import {tolerances} from "./tolerances/index";
+
+export const analysis_modules: readonly AnalysisModule[] = [tolerances];
