@@ -3,6 +3,7 @@
 
 #include "files/fields/result_forms.hpp"
 #include "linkwright/core/angle.hpp"
+#include "linkwright/machine/mesh.hpp"
 #include "replies.hpp"
 #include "reply_fields.hpp"
 #include "reply_forms.hpp"
@@ -39,8 +40,9 @@ class DriverAngles {
     const double middle = sense_ * (travel.front().driver_turn + travel.back().driver_turn) / 2;
     if (linkage.full_turn && middle < 0) shift_ = two_pi;
   }
+  [[nodiscard]] double at(double turn) const { return degrees(sense_ * turn + shift_); }
   [[nodiscard]] std::pair<double, double> range_deg(const Crossing& crossing) const {
-    return std::minmax({degrees(sense_ * crossing.from_turn + shift_), degrees(sense_ * crossing.to_turn + shift_)});
+    return std::minmax({at(crossing.from_turn), at(crossing.to_turn)});
   }
 
  private:
@@ -55,6 +57,37 @@ CrossingReply crossing_reply(const MovingLinkage& linkage, const Crossing& cross
     reply.other = linkage.bodies[crossing.obstacle];
   std::tie(reply.from_deg, reply.to_deg) = angles.range_deg(crossing);
   return reply;
+}
+
+void append(std::vector<double>& row, const Displacement& there) {
+  const UnitQuaternion turn = there.rotation.quaternion();
+  const auto [x, y, z] = there.translation;
+  row.insert(row.end(), {turn.w(), turn.v().x, turn.v().y, turn.v().z, x, y, z});
+}
+
+std::vector<double> travel_rows(const MovingLinkage& linkage, const DriverAngles& angles) {
+  std::vector<const MovingState*> states;
+  for (const MovingState& state : linkage.travel) states.push_back(&state);
+  std::sort(states.begin(), states.end(), [&](const MovingState* a, const MovingState* b) {
+    return angles.at(a->driver_turn) < angles.at(b->driver_turn);
+  });
+  std::vector<double> rows;
+  for (const MovingState* state : states) {
+    rows.push_back(angles.at(state->driver_turn));
+    for (std::size_t body = 1; body < state->bodies.size(); ++body) append(rows, state->bodies[body]);
+  }
+  return rows;
+}
+
+/// Hands a part over; its triangles are those of the list from where it ended.
+PartReply added(MachineReply& to, const MovingLinkage& linkage, const Part& part) {
+  const Mesh mesh = mesh_of(part);
+  const auto first = static_cast<std::uint32_t>(to.vertices.size() / 3);
+  for (const auto& [x, y, z] : mesh.vertices)
+    for (const double coordinate : {x, y, z}) to.vertices.push_back(static_cast<float>(coordinate));
+  for (const auto& triangle : mesh.triangles)
+    for (const int corner : triangle) to.triangles.push_back(first + static_cast<std::uint32_t>(corner));
+  return {part.name, linkage.bodies[static_cast<std::size_t>(part.body)], static_cast<int>(mesh.triangles.size())};
 }
 
 }  // namespace
@@ -77,6 +110,14 @@ static void fields(FieldVisitor& v, const CrossingReply& of) {
   });
 }
 
+static void fields(FieldVisitor& v, const PartReply& of) {
+  v.object({.name = "machine_part"}, [&](FieldVisitor& to) {
+    to.shown("name", of.name);
+    to.shown(Field("body", "That it moves with."), of.body);
+    to.shown(Field("triangles", "How many of its surface, in the list of all."), of.triangles, natural);
+  });
+}
+
 void fields(FieldVisitor& v, const MachinePlan& of) {
   const Object described = {"machine_plan",
                             "A linkage as plates on pins. Bodies and hinges are called as in the files."};
@@ -92,19 +133,27 @@ void fields(FieldVisitor& v, const MachinePlan& of) {
                 visit(at, over, Words{{"travel", "task"}});
               });
     to.shown("crossings", of.crossings, forms::on_a_line);
+    to.shown(Field("guided", "The body that the task guides."), of.guided);
+    to.shown(Field("parts", "Plates by body, then pins by hinge."), of.parts, forms::on_a_line);
   });
 }
 
-std::string machine_reply(const Result<Machine>& made) {
-  if (!made) return refusal_json(made.errors());
+MachineReply machine_reply(const Result<Machine>& made) {
+  if (!made) return {refusal_json(made.errors()), {}, {}, {}};
+  const MovingLinkage& linkage = made->linkage;
+  const DriverAngles angles(linkage);
+  MachineReply reply;
   MachinePlan plan{made->sizes};
-  for (std::size_t body = 0; body < made->layers.layer.size(); ++body)
-    plan.layers.push_back({made->linkage.bodies[body], made->layers.layer[body]});
+  for (std::size_t body = 0; body < linkage.bodies.size(); ++body)
+    plan.layers.push_back({linkage.bodies[body], made->layers.layer[body]});
   plan.over = made->layers.over;
-  const DriverAngles angles(made->linkage);
   for (const Crossing& crossing : made->layers.crossings)
-    plan.crossings.push_back(crossing_reply(made->linkage, crossing, angles));
-  return text_of(plan);
+    plan.crossings.push_back(crossing_reply(linkage, crossing, angles));
+  plan.guided = linkage.bodies[static_cast<std::size_t>(linkage.guided)];
+  for (const Part& part : made->parts) plan.parts.push_back(added(reply, linkage, part));
+  reply.plan = text_of(plan);
+  reply.travel = travel_rows(linkage, angles);
+  return reply;
 }
 
 }  // namespace linkwright::wasm

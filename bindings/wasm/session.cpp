@@ -110,7 +110,7 @@ Result<Machine> PageSession::machine_at(MapPoint place, const WantedSizes& sizes
   return linkwright::machine(moving_linkage(*linkage), sizes);
 }
 
-std::string PageSession::machine(MapPoint place, const WantedSizes& sizes) {
+MachineReply PageSession::machine(MapPoint place, const WantedSizes& sizes) {
   return machine_reply(machine_at(place, sizes));
 }
 

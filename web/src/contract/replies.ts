@@ -302,6 +302,13 @@ export interface PlateCrossing {
   from_deg: number;
   to_deg: number;
 }
+export interface MachinePart {
+  name: string;
+  /** That it moves with. */
+  body: string;
+  /** How many of its surface, in the list of all. */
+  triangles: number;
+}
 /** A linkage as plates on pins. Bodies and hinges are called as in the files. */
 export interface MachinePlan {
   sizes: PlateSizes;
@@ -310,6 +317,10 @@ export interface MachinePlan {
   /** Free of collisions over the whole travel, or at least from the first position to the last. */
   over: "travel" | "task";
   crossings: readonly PlateCrossing[];
+  /** The body that the task guides. */
+  guided: string;
+  /** Plates by body, then pins by hinge. */
+  parts: readonly MachinePart[];
 }
 /** Of a state of a drive, whatever the kind of linkage: the driver's angle from position 1, in the sense of travel positive; the moving pivots of input and output; the pose of the moving frame; the angles of coupler and output from position 1; dψ/dφ, output by input, 0 at a dead point; output torque over input torque, |dφ/dψ|, 0 where unbounded. */
 export const state_columns = ["input_deg", "ax", "ay", "bx", "by", "x", "y", "theta_deg", "transmission_angle_deg", "coupler_deg", "output_deg", "velocity_ratio", "mechanical_advantage"] as const;
