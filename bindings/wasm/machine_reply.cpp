@@ -1,5 +1,9 @@
 #include <algorithm>
+#include <cmath>
+#include <optional>
 #include <tuple>
+#include <utility>
+#include <vector>
 
 #include "files/fields/result_forms.hpp"
 #include "linkwright/core/angle.hpp"
@@ -27,26 +31,51 @@ static void fields(FieldVisitor& v, const PlateSizes& sizes) {
 namespace linkwright::wasm {
 namespace {
 
-/// The driver's angles as the page counts them.
+/// The driver's angles as its drive counts them.
 class DriverAngles {
  public:
-  explicit DriverAngles(const MovingLinkage& linkage) {
-    const auto& [travel, task] = std::tie(linkage.travel, linkage.task);
-    if (travel.empty()) return;
-    const double way = task.size() > 1 ? wrap_signed(travel[task[1]].driver_turn - travel[task[0]].driver_turn)
-                                       : travel.back().driver_turn - travel.front().driver_turn;
-    sense_ = way < 0 ? -1 : 1;
-    // A crank's travel that ends in position 1 begins there as well.
-    const double middle = sense_ * (travel.front().driver_turn + travel.back().driver_turn) / 2;
-    if (linkage.full_turn && middle < 0) shift_ = two_pi;
+  DriverAngles(const MovingLinkage& linkage, const Travel& drive) {
+    if (linkage.travel.empty() || drive.states.size() < 2) return;
+    const TravelState &first = drive.states[0], &next = drive.states[1], &last = drive.states.back();
+    const double turn = turn_at(linkage, drive, first);
+    sense_ = wrap_signed(turn_at(linkage, drive, next) - turn) < 0 ? -1 : 1;
+    shift_ = first.turn - sense_ * turn;
+    // Of all that differ by full turns, those of the drive's own stretch.
+    const double middle =
+        sense_ * (linkage.travel.front().driver_turn + linkage.travel.back().driver_turn) / 2 + shift_;
+    shift_ += two_pi * std::round(((first.turn + last.turn) / 2 - middle) / two_pi);
+    if (linkage.full_turn) begin_ = first.turn;
   }
-  [[nodiscard]] double at(double turn) const { return degrees(sense_ * turn + shift_); }
+  [[nodiscard]] double at(double turn) const {
+    const double angle = sense_ * turn + shift_;
+    if (!begin_) return degrees(angle);
+    return degrees(*begin_ - rounding + wrap_positive(angle - *begin_ + rounding));
+  }
   [[nodiscard]] std::pair<double, double> range_deg(const Crossing& crossing) const {
-    return std::minmax({at(crossing.from_turn), at(crossing.to_turn)});
+    const double low = at(sense_ < 0 ? crossing.to_turn : crossing.from_turn);
+    return {low, low + degrees(std::abs(crossing.to_turn - crossing.from_turn))};
   }
 
  private:
+  /// Of the driver, in a state of its drive, from position 1 of the linkage.
+  static double turn_at(const MovingLinkage& linkage, const Travel& drive, const TravelState& state) {
+    const std::vector<std::size_t> own = linkage.hinges_of(1);
+    const Hinge &on_ground = linkage.hinges[own[0]], &other = linkage.hinges[own[1]];
+    if (!linkage.spherical)
+      return angle_about({0, 0, 1}, other.point - on_ground.point, state.hinges[own[1]] - on_ground.point);
+    // Either unit vector of an axis will do: the drive may have the other one.
+    const int there = drive.state_of_position.empty() ? -1 : drive.state_of_position.front();
+    const bool is_other =
+        there >= 0 && dot(drive.states[static_cast<std::size_t>(there)].hinges[own[1]], other.point) < 0;
+    return angle_about(on_ground.point, other.point, is_other ? -state.hinges[own[1]] : state.hinges[own[1]]);
+  }
+  static double angle_about(Vector3 axis, Vector3 from, Vector3 to) {
+    return std::atan2(dot(axis, cross(from, to)), dot(cross(axis, from), cross(axis, to)));
+  }
+
+  static constexpr double rounding = 1e-9;
   double sense_ = 1, shift_ = 0;
+  std::optional<double> begin_;  ///< of the turn, where the driver makes a full one
 };
 
 CrossingReply crossing_reply(const MovingLinkage& linkage, const Crossing& crossing, const DriverAngles& angles) {
@@ -66,14 +95,17 @@ void append(std::vector<double>& row, const Displacement& there) {
 }
 
 std::vector<double> travel_rows(const MovingLinkage& linkage, const DriverAngles& angles) {
-  std::vector<const MovingState*> states;
-  for (const MovingState& state : linkage.travel) states.push_back(&state);
-  std::sort(states.begin(), states.end(), [&](const MovingState* a, const MovingState* b) {
-    return angles.at(a->driver_turn) < angles.at(b->driver_turn);
-  });
+  std::vector<std::pair<double, const MovingState*>> states;
+  for (const MovingState& state : linkage.travel) states.emplace_back(angles.at(state.driver_turn), &state);
+  std::sort(states.begin(), states.end());
+  if (linkage.full_turn && !states.empty()) {
+    const auto first = states.front(), last = states.back();
+    states.insert(states.begin(), {last.first - 360, last.second});
+    states.emplace_back(first.first + 360, first.second);
+  }
   std::vector<double> rows;
-  for (const MovingState* state : states) {
-    rows.push_back(angles.at(state->driver_turn));
+  for (const auto& [angle, state] : states) {
+    rows.push_back(angle);
     for (std::size_t body = 1; body < state->bodies.size(); ++body) append(rows, state->bodies[body]);
   }
   return rows;
@@ -134,14 +166,15 @@ void fields(FieldVisitor& v, const MachinePlan& of) {
               });
     to.shown("crossings", of.crossings, forms::on_a_line);
     to.shown(Field("guided", "The body that the task guides."), of.guided);
+    to.shown(Field("at_deg", "The driver angle at which the parts lie as they are told."), of.at_deg);
     to.shown(Field("parts", "Plates by body, then pins by hinge."), of.parts, forms::on_a_line);
   });
 }
 
-MachineReply machine_reply(const Result<Machine>& made) {
+MachineReply machine_reply(const Result<Machine>& made, const Travel& drive) {
   if (!made) return {refusal_json(made.errors()), {}, {}, {}};
   const MovingLinkage& linkage = made->linkage;
-  const DriverAngles angles(linkage);
+  const DriverAngles angles(linkage, drive);
   MachineReply reply;
   MachinePlan plan{made->sizes};
   for (std::size_t body = 0; body < linkage.bodies.size(); ++body)
@@ -150,6 +183,7 @@ MachineReply machine_reply(const Result<Machine>& made) {
   for (const Crossing& crossing : made->layers.crossings)
     plan.crossings.push_back(crossing_reply(linkage, crossing, angles));
   plan.guided = linkage.bodies[static_cast<std::size_t>(linkage.guided)];
+  plan.at_deg = angles.at(0);
   for (const Part& part : made->parts) plan.parts.push_back(added(reply, linkage, part));
   reply.plan = text_of(plan);
   reply.travel = travel_rows(linkage, angles);

@@ -61,6 +61,7 @@ inline constexpr std::size_t state_width = state_columns.size(),
 /// It and its drive over the whole travel, with `rates`: by state how its bodies and the point move (Rates of the
 /// page).
 [[nodiscard]] LinkageReply opened_reply(const AnyStoredLinkage& linkage);
+[[nodiscard]] Travel opened_travel(const AnyStoredLinkage& linkage);
 /// The path of a point of its body (as it lies in position 1) over that travel; about a centre none.
 [[nodiscard]] std::vector<Point> opened_trace(const AnyStoredLinkage& linkage, Point traced);
 
@@ -88,7 +89,8 @@ struct MachineReply {
   /// body but the ground its displacement from position 1, a quaternion (w, x, y, z) and a translation.
   std::vector<double> travel;
 };
-[[nodiscard]] MachineReply machine_reply(const Result<Machine>& made);
+/// `drive`: by which the page drives it.
+[[nodiscard]] MachineReply machine_reply(const Result<Machine>& made, const Travel& drive);
 
 /// One instant of a planar four-bar as the page draws it: of {"pivots": {…}} as linkage files have them, the object
 /// `instant` of an analysis, and beside it `circling_points` and `centering_points`, lists of polylines [[x, y], …]

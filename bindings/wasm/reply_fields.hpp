@@ -173,6 +173,7 @@ struct MachinePlan {
   PlateLayers::Over over = PlateLayers::Over::travel;
   std::vector<CrossingReply> crossings{};
   std::string guided{};
+  double at_deg = 0;
   std::vector<PartReply> parts{};
 };
 void fields(FieldVisitor& v, const MachinePlan& of);

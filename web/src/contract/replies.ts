@@ -319,6 +319,8 @@ export interface MachinePlan {
   crossings: readonly PlateCrossing[];
   /** The body that the task guides. */
   guided: string;
+  /** The driver angle at which the parts lie as they are told. */
+  at_deg: number;
   /** Plates by body, then pins by hinge. */
   parts: readonly MachinePart[];
 }
