@@ -142,15 +142,3 @@ export function middle_of({corners}: Pick<Body, "corners">): Point {
   const sum = (axis: 0 | 1) => corners.reduce((total, corner) => total + corner[axis], 0);
   return [sum(0) / corners.length, sum(1) / corners.length];
 }
-/** An edge of a plate, from one joint to the next; of a bar its only one. */
-export function edge_of({bodies}: Figure, link: string, edge: number): readonly [Point, Point] | null {
-  const corners = bodies.find(({name}) => name === link)?.corners ?? [],
-    from = corners[edge],
-    to = corners[(edge + 1) % corners.length];
-  return from && to ? [from, to] : null;
-}
-/** The ends of a link that is a bar. */
-export function bar_of({bodies}: Figure, link: string): readonly [Point, Point] | null {
-  const [from, to] = bodies.find(({name}) => name === link)?.corners ?? [];
-  return from && to ? [from, to] : null;
-}
