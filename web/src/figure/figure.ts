@@ -1,5 +1,6 @@
 // What is drawn of a linkage in one configuration, whoever paints it: on the drawing and in small (FigureLayer), in films
-// (canvas), in 3-D (solid/scene). Places lie in the fixed frame, in the user's unit; painters give roles their looks.
+// (canvas); the parts in 3-D (solid/model) have its colours. Places lie in the fixed frame, in the user's unit; painters
+// give roles their looks.
 import type {Point, Side} from "../contract/messages";
 import {placed} from "../state/problem";
 import {convex_hull} from "./hull";

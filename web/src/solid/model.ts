@@ -59,7 +59,7 @@ export class SolidModel {
     if (this.is_about_a_centre)
       this.bodies[0]!.add(new Mesh(new SphereGeometry(inner_radius(machine), 64, 40), paint("curve", 0.12)));
     for (const body of this.bodies) body.userData.points = points_of(body);
-    const {min, max} = new Box3().setFromObject(this.object);
+    const {min, max} = new Box3().setFromPoints(this.bodies.flatMap(({userData}) => userData.points as Vector3[]));
     this.middle = (min.z + max.z) / 2;
   }
   dispose(): void {
@@ -86,7 +86,8 @@ export class SolidModel {
   reach(low_deg: number, high_deg: number): Vector3[] {
     const points: Vector3[] = [],
       rows = Array.from({length: row_count(this.travel)}, (_, row) => angle_of_row(this.travel, row)),
-      angles = some_of(rows.filter((angle) => angle >= low_deg && angle <= high_deg));
+      within = rows.filter((angle) => angle >= low_deg && angle <= high_deg),
+      angles = some_of(within.length).map((k) => within[k]!);
     for (const angle of angles.length ? angles : [low_deg]) {
       this.move(angle);
       this.object.updateMatrixWorld();
@@ -137,16 +138,16 @@ function sheet(corners: readonly Point[], depth: number): BufferGeometry {
 function inner_radius({sizes, layers}: Machine): number {
   return sizes.radius - sizes.thickness - most_of(layers.map(({layer}) => layer)) * (sizes.thickness + sizes.gap);
 }
-function some_of<T>(all: readonly T[]): T[] {
-  const step = Math.ceil(all.length / most_looked_at);
-  return all.filter((_, i) => i % step === 0);
+/** Evenly, of so many. */
+function some_of(count: number): number[] {
+  const step = Math.ceil(count / most_looked_at) || 1;
+  return Array.from({length: Math.ceil(count / step)}, (_, k) => k * step);
 }
 /** Of what moves with a body, in position 1. */
 function points_of(body: Group): Vector3[] {
   return body.children.flatMap((mesh) => {
     const {geometry, position} = mesh as Mesh,
-      at = geometry.getAttribute("position"),
-      vertices = some_of(Array.from({length: at.count}, (_, vertex) => vertex));
-    return vertices.map((vertex) => new Vector3().fromBufferAttribute(at, vertex).add(position));
+      at = geometry.getAttribute("position");
+    return some_of(at.count).map((vertex) => new Vector3().fromBufferAttribute(at, vertex).add(position));
   });
 }
