@@ -127,10 +127,11 @@ describe("the question of it", () => {
   const tau: TauPair = [1.3125, 1.1125];
   const requests = ({asked}: Bench) => asked.filter(({kind}) => kind === "machine").length;
 
-  it("is asked once, whoever asks", async () => {
+  it("is asked once, whoever asks, and not before", async () => {
     const b = bench(first_example.problem),
       of = machine_of(first_example.problem, tau);
     await settled(b);
+    expect(requests(b)).toBe(0);
     const [one, other] = await Promise.all([ask_machine(b.workbench, of), ask_machine(b.workbench, {...of})]);
     expect(one).not.toBeNull();
     expect(other).toBe(one);

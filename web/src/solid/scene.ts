@@ -101,7 +101,8 @@ export class SolidScene {
     this.reached = new Sphere().setFromPoints([...this.corners]);
     this.put_light(model);
     this.move(this.angle_deg, this.joints);
-    if (!is_like(before, this.reached)) this.fit();
+    if (before.isEmpty()) this.fit();
+    else if (!is_like(before, this.reached)) this.fit(this.arm().normalize());
   }
   clear(): void {
     this.model?.object.removeFromParent();
@@ -131,31 +132,35 @@ export class SolidScene {
 
   // ---- the eye ------------------------------------------------------------------------------------------------
 
-  /** Everything in the window, seen from a little above and to the left of straight ahead. */
-  fit(): void {
+  /** Everything in the window; at first seen from a little above and to the left of straight ahead. */
+  fit(towards = towards_eye): void {
     const {center, radius} = this.reached,
-      right = new Vector3().crossVectors(this.camera.up, towards_eye).normalize(),
-      up = new Vector3().crossVectors(towards_eye, right),
+      right = new Vector3().crossVectors(this.camera.up, towards).normalize(),
+      up = new Vector3().crossVectors(towards, right),
       slope = 0.92 * half_slope;
     let away = 0;
     for (const corner of this.corners) {
       const arm = corner.clone().sub(center),
-        near = arm.dot(towards_eye);
+        near = arm.dot(towards);
       away = Math.max(away, near + Math.abs(arm.dot(up)) / slope);
       away = Math.max(away, near + Math.abs(arm.dot(right)) / (slope * this.camera.aspect));
     }
     [this.camera.near, this.camera.far] = [0.02 * radius, 60 * radius];
     [this.controls.minDistance, this.controls.maxDistance] = [0.3 * radius, 30 * radius];
     this.camera.updateProjectionMatrix();
-    this.look(center.clone(), center.clone().addScaledVector(towards_eye, away));
+    this.look(center.clone(), center.clone().addScaledVector(towards, away));
   }
   turn(right: number, up: number): void {
     const {target} = this.controls,
-      arm = this.camera.position.clone().sub(target);
+      arm = this.arm();
     arm
       .applyAxisAngle(this.camera.up, right)
       .applyAxisAngle(new Vector3(1, 0, 0).applyQuaternion(this.camera.quaternion), up);
     this.look(target.clone(), target.clone().add(arm));
+  }
+  /** From what one looks at to the eye. */
+  private arm(): Vector3 {
+    return this.camera.position.clone().sub(this.controls.target);
   }
   /** While something else follows the pointer, the view does not turn. */
   hold_view(held: boolean): void {
@@ -174,7 +179,7 @@ export class SolidScene {
         this.model && this.ray([event.clientX - box.left, event.clientY - box.top]).intersectObject(this.model.object);
     if (!hit?.[0]) return;
     const {point} = hit[0],
-      away = this.camera.position.distanceTo(this.controls.target),
+      away = this.arm().length(),
       square = this.model!.is_about_a_centre ? point.clone().normalize() : new Vector3(0, 0, 1);
     this.glide(point, point.clone().addScaledVector(square, away));
   };
@@ -227,7 +232,7 @@ export class SolidScene {
   flat_view(): Viewport {
     const {target} = this.controls,
       {width, height} = this.size,
-      away = this.camera.position.distanceTo(target) || 1;
+      away = this.arm().length() || 1;
     return {x: target.x, y: target.y, scale: height / (2 * away * half_slope), width, height};
   }
   private ray([x, y]: Point): Raycaster {
