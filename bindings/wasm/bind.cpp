@@ -84,6 +84,15 @@ class BoundSession : public PageSession {
     result.set("map", reply.map ? map_of(*reply.map, reply.census) : val::null());
     return result;
   }
+  val machine_reply(double input_tau, double output_tau, const WantedSizes& sizes) {
+    machine_ = machine({input_tau, output_tau}, sizes);
+    val result = val::object();
+    result.set("plan", machine_.plan);
+    result.set("vertices", view(machine_.vertices));
+    result.set("triangles", view(machine_.triangles));
+    result.set("travel", view(machine_.travel));
+    return result;
+  }
   val machine_file_reply(double input_tau, double output_tau, const std::string& format, const WantedSizes& sizes) {
     auto file = machine_file({input_tau, output_tau}, format, sizes);
     file_.assign(file ? std::move(*file) : "");
@@ -104,9 +113,6 @@ class BoundSession : public PageSession {
   std::string exported_text(double input_tau, double output_tau, const std::string& format) {
     return exported({input_tau, output_tau}, format);
   }
-  std::string machine_text(double input_tau, double output_tau, const WantedSizes& sizes) {
-    return machine({input_tau, output_tau}, sizes);
-  }
 
  private:
   LinkageReply linkage_;
@@ -114,6 +120,7 @@ class BoundSession : public PageSession {
   ToleranceReply tolerance_;
   std::vector<std::uint32_t> counts_;
   std::vector<Point> path_;
+  MachineReply machine_;
   std::string file_;
 };
 
@@ -151,7 +158,7 @@ EMSCRIPTEN_BINDINGS(linkwright) {
       .function("verify", &BoundSession::verify_text)
       .function("trace", &BoundSession::trace_reply)
       .function("exported", &BoundSession::exported_text)
-      .function("machine", &BoundSession::machine_text)
+      .function("machine", &BoundSession::machine_reply)
       .function("machine_file", &BoundSession::machine_file_reply);
 }
 

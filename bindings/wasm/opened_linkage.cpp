@@ -115,10 +115,14 @@ LinkageReply reply_of(const StoredSixBar& linkage) {
 
 // ---- about a centre -----------------------------------------------------------------------------------------------
 
+/// Where the file has none, the one in which it lies.
+std::vector<PrescribedOrientation> orientations_of(const StoredSphericalFourBar& linkage) {
+  return linkage.orientations.empty() ? std::vector<PrescribedOrientation>(1) : linkage.orientations;
+}
+
 LinkageReply reply_of(const StoredSphericalFourBar& linkage) {
   const SphericalFourBar bars = with_short_links(linkage.four_bar);
-  const std::vector<PrescribedOrientation> orientations =
-      linkage.orientations.empty() ? std::vector<PrescribedOrientation>(1) : linkage.orientations;
+  const std::vector<PrescribedOrientation> orientations = orientations_of(linkage);
   const SphericalAnalysis analysis = analyze(bars, orientations);
   SphericalSolution shown;
   shown.input = {bars.input_fixed, bars.input_moving, 0};
@@ -146,8 +150,10 @@ Travel travel_of_stored(const StoredSixBar& linkage) {
   const std::vector<PrescribedPose> poses = framed_poses(linkage);
   return travel_of(linkage.six_bar, poses, six_bar_motion(linkage.six_bar, poses, six_bar_step));
 }
-// Points of the sphere are no points of the plane.
-Travel travel_of_stored(const StoredSphericalFourBar& /*linkage*/) { return {}; }
+Travel travel_of_stored(const StoredSphericalFourBar& linkage) {
+  const std::vector<PrescribedOrientation> orientations = orientations_of(linkage);
+  return travel_of(analyze(with_short_links(linkage.four_bar), orientations), orientations.size());
+}
 
 }  // namespace
 
@@ -172,8 +178,12 @@ LinkageReply opened_reply(const AnyStoredLinkage& linkage) {
   return std::visit([](const auto& of_kind) { return reply_of(of_kind); }, linkage);
 }
 
+Travel opened_travel(const AnyStoredLinkage& linkage) {
+  return std::visit([](const auto& of_kind) { return travel_of_stored(of_kind); }, linkage);
+}
+
 std::vector<Point> opened_trace(const AnyStoredLinkage& linkage, Point traced) {
-  return path_of(std::visit([](const auto& of_kind) { return travel_of_stored(of_kind); }, linkage), traced);
+  return path_of(opened_travel(linkage), traced);
 }
 
 }  // namespace linkwright::wasm

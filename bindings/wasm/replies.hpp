@@ -1,6 +1,7 @@
 #pragma once
 
 #include <array>
+#include <cstdint>
 #include <optional>
 #include <string>
 #include <string_view>
@@ -60,6 +61,7 @@ inline constexpr std::size_t state_width = state_columns.size(),
 /// It and its drive over the whole travel, with `rates`: by state how its bodies and the point move (Rates of the
 /// page).
 [[nodiscard]] LinkageReply opened_reply(const AnyStoredLinkage& linkage);
+[[nodiscard]] Travel opened_travel(const AnyStoredLinkage& linkage);
 /// The path of a point of its body (as it lies in position 1) over that travel; about a centre none.
 [[nodiscard]] std::vector<Point> opened_trace(const AnyStoredLinkage& linkage, Point traced);
 
@@ -78,10 +80,17 @@ struct ToleranceReply {
 /// The same before it is looked at closely: `tolerance` of a result's linkages, by few samples; empty at a dead point.
 [[nodiscard]] std::string tolerance_at_a_glance(const LinkageOutput& output, const Tolerances& tolerances);
 
-/// JSON text: `{"mistakes"}`, or `{"sizes", "layers", "over", "crossings"}` with the sizes in force, `[body, layer]`
-/// from the ground on, and what runs into what: `{"body", "pin" or "other", "from_deg", "to_deg"}`, driver angles from
-/// position 1, positive as the positions are met.
-[[nodiscard]] std::string machine_reply(const Result<Machine>& made);
+/// A linkage as one builds it, to be looked at before it is made.
+struct MachineReply {
+  std::string plan;                      ///< JSON text: a MachinePlan; or {"mistakes"}, and nothing else
+  std::vector<float> vertices;           ///< x, y, z as they lie in position 1, user's unit
+  std::vector<std::uint32_t> triangles;  ///< three of these vertices each, part by part
+  /// By rising driver angle, all states on which the plan stands: the angle (degrees, as drives have it), then of each
+  /// body but the ground its displacement from position 1, a quaternion (w, x, y, z) and a translation.
+  std::vector<double> travel;
+};
+/// `drive`: by which the page drives it.
+[[nodiscard]] MachineReply machine_reply(const Result<Machine>& made, const Travel& drive);
 
 /// One instant of a planar four-bar as the page draws it: of {"pivots": {…}} as linkage files have them, the object
 /// `instant` of an analysis, and beside it `circling_points` and `centering_points`, lists of polylines [[x, y], …]

@@ -164,11 +164,18 @@ struct PlateLayer {
   std::string body;
   int layer = 0;
 };
+struct PartReply {
+  std::string name, body;
+  int triangles = 0;
+};
 struct MachinePlan {
   PlateSizes sizes{};
   std::vector<PlateLayer> layers{};
   PlateLayers::Over over = PlateLayers::Over::travel;
   std::vector<CrossingReply> crossings{};
+  std::string guided{};
+  double at_deg = 0;
+  std::vector<PartReply> parts{};
 };
 void fields(FieldVisitor& v, const MachinePlan& of);
 

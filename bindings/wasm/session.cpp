@@ -110,8 +110,10 @@ Result<Machine> PageSession::machine_at(MapPoint place, const WantedSizes& sizes
   return linkwright::machine(moving_linkage(*linkage), sizes);
 }
 
-std::string PageSession::machine(MapPoint place, const WantedSizes& sizes) {
-  return machine_reply(machine_at(place, sizes));
+MachineReply PageSession::machine(MapPoint place, const WantedSizes& sizes) {
+  const auto made = machine_at(place, sizes);
+  if (!made) return machine_reply(made, {});
+  return machine_reply(made, opened_ ? opened_travel(*opened_) : asked().linkage(place).travel);
 }
 
 Result<std::string> PageSession::machine_file(MapPoint place, std::string_view format, const WantedSizes& sizes) {

@@ -57,8 +57,8 @@ class PageSession {
   [[nodiscard]] std::vector<Point> trace(MapPoint place, Point traced);
   /// A file: svg, dxf, csv, json or result. Empty where there is no linkage to write.
   [[nodiscard]] std::string exported(MapPoint place, std::string_view format);
-  /// A linkage as plates and pins, to be looked at before it is made. JSON text: that of machine_reply().
-  [[nodiscard]] std::string machine(MapPoint place, const WantedSizes& sizes);
+  /// A linkage as plates and pins, to be looked at before it is made.
+  [[nodiscard]] MachineReply machine(MapPoint place, const WantedSizes& sizes);
   /// The bytes of a file to make it from: stl, 3mf or plates, or for a simulator: urdf, sdf or mjcf. Errors:
   /// `no_four_bar`, those of machine(), write_parts() and simulator_text().
   [[nodiscard]] Result<std::string> machine_file(MapPoint place, std::string_view format, const WantedSizes& sizes);

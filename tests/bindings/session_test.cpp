@@ -219,7 +219,7 @@ TEST_F(SessionTest, WritesEveryFormat) {
 TEST_F(SessionTest, TellsOfALinkageAsPlatesAndPins) {
   WantedSizes sizes;
   sizes.clearance = 0.4;
-  const json plan = json::parse(session.machine({1.3125, 1.1125}, sizes));
+  const json plan = json::parse(session.machine({1.3125, 1.1125}, sizes).plan);
   EXPECT_EQ(plan["sizes"]["clearance"], 0.4);
   EXPECT_EQ(plan["sizes"]["radius"], 0);
   ASSERT_EQ(plan["layers"].size(), 4u);
@@ -230,7 +230,7 @@ TEST_F(SessionTest, TellsOfALinkageAsPlatesAndPins) {
   }
   sizes.pin = 100;
   sizes.width = 20;
-  EXPECT_EQ(json::parse(session.machine({1.3125, 1.1125}, sizes))["mistakes"][0]["code"], "pin_too_wide");
+  EXPECT_EQ(json::parse(session.machine({1.3125, 1.1125}, sizes).plan)["mistakes"][0]["code"], "pin_too_wide");
 }
 
 TEST_F(SessionTest, GivesTheBytesOfPlatesAndPins) {

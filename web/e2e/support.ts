@@ -19,7 +19,6 @@ interface Hook {
   map_hash(): string;
   painted_map(): unknown;
   map_point(place: TauPair): Pixel;
-  solid_builds(): number;
   solid_pixel(pivot: {side: "input" | "output"; end: "center" | "circle"}): [number, number];
 }
 declare global {

@@ -198,6 +198,19 @@ export interface ToleranceAnswer extends ToleranceReply {
   drawn: Float64Array;
 }
 
+// ---- as plates on pins ------------------------------------------------------------------------------------------
+
+/** Also what is drawn of it and how it moves. */
+export interface Machine extends MachinePlan {
+  /** x, y, z as they lie in position 1; about a centre that is the origin. */
+  vertices: Float32Array;
+  /** Three of these vertices each, part by part. */
+  triangles: Uint32Array;
+  /** By rising driver angle: the angle in degrees, then of each body but the ground, in the order of the layers, its
+   *  displacement from position 1, a quaternion (w, x, y, z) and a translation. */
+  travel: Float64Array;
+}
+
 // ---- messages -------------------------------------------------------------------------------------------------
 
 export type ExportFormat = "svg" | "dxf" | "csv" | "json" | "result";
@@ -276,7 +289,7 @@ export interface Replies {
   front: {front: [row: number, column: number, first: number, second: number][]}; // the best by the first one first
   trace: {points: Float64Array}; // 2K, one per drive state
   export: {text: string; extension: string};
-  machine: MachinePlan;
+  machine: Machine;
   machine_file: {bytes: Uint8Array<ArrayBuffer>; extension: string};
   report: {report: object};
   read: {problem: string; notices: Notice[]};

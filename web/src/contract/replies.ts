@@ -303,6 +303,13 @@ export interface PlateCrossing {
   from_deg: number;
   to_deg: number;
 }
+export interface MachinePart {
+  name: string;
+  /** That it moves with. */
+  body: string;
+  /** How many of its surface, in the list of all. */
+  triangles: number;
+}
 /** A linkage as plates on pins. Bodies and hinges are called as in the files. */
 export interface MachinePlan {
   sizes: PlateSizes;
@@ -311,6 +318,12 @@ export interface MachinePlan {
   /** Free of collisions over the whole travel, or at least from the first position to the last. */
   over: "travel" | "task";
   crossings: readonly PlateCrossing[];
+  /** The body that the task guides. */
+  guided: string;
+  /** The driver angle at which the parts lie as they are told. */
+  at_deg: number;
+  /** Plates by body, then pins by hinge. */
+  parts: readonly MachinePart[];
 }
 /** A shape of a drawing as the outline of a body. */
 export interface OutlineShape {

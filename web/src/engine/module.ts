@@ -43,8 +43,12 @@ export interface Session {
   verify(input_tau: number, output_tau: number): string;
   trace(input_tau: number, output_tau: number, x: number, y: number): Float64Array;
   exported(input_tau: number, output_tau: number, format: string): string;
-  /** JSON text: a MachinePlan, or {"mistakes"}. Sizes that are 0 are chosen, and a clearance below 0. */
-  machine(input_tau: number, output_tau: number, sizes: PlateSizes): string;
+  /** `plan`: JSON text, a MachinePlan, or {"mistakes"}. Sizes that are 0 are chosen, and a clearance below 0. */
+  machine(
+    input_tau: number,
+    output_tau: number,
+    sizes: PlateSizes,
+  ): {plan: string; vertices: Float32Array; triangles: Uint32Array; travel: Float64Array};
   machine_file(
     input_tau: number,
     output_tau: number,

@@ -182,10 +182,15 @@ export class Engine {
   }
 
   private machine({problem, tau, sizes}: Requests["machine"]): Replies["machine"] {
-    const text = this.holding(problem).machine(...tau, {...chosen_sizes, ...sizes}),
-      plan = JSON.parse(text) as MachinePlan | {mistakes: Mistake[]};
+    const made = this.holding(problem).machine(...tau, {...chosen_sizes, ...sizes}),
+      plan = JSON.parse(made.plan) as MachinePlan | {mistakes: Mistake[]};
     if ("mistakes" in plan) throw new Refusal(plan.mistakes);
-    return plan;
+    return {
+      ...plan,
+      vertices: copied(made.vertices),
+      triangles: copied(made.triangles),
+      travel: copied(made.travel),
+    };
   }
 
   private machine_file({problem, tau, sizes, format}: Requests["machine_file"]): Replies["machine_file"] {

@@ -15,6 +15,8 @@ import {crossings_told} from "../figure/plate_words";
 import {examples, first_example} from "../gallery/gallery";
 import {engine_text, type Problem} from "../state/problem";
 import {load_views, task_view} from "../tasks/views";
+import {bench, settled, type Bench} from "../state/workbench_bench";
+import {ask_machine, machine_of} from "./machine";
 import {plate_choice} from "./plate_form.svelte";
 
 const program = fileURLToPath(new URL("../../../build/release/bin/linkwright", import.meta.url));
@@ -118,6 +120,46 @@ describe("a linkage as plates on pins", () => {
     } as unknown as MachinePlan;
     expect(crossings_told(no_mechanism, plan)).toHaveLength(3);
     expect(crossings_told(no_mechanism, plan)[0]).toBe("body 1 and ground collide in one layer between 1° and 2°.");
+  });
+});
+
+describe("the question of it", () => {
+  const tau: TauPair = [1.3125, 1.1125];
+  const requests = ({asked}: Bench) => asked.filter(({kind}) => kind === "machine").length;
+
+  it("is asked once, whoever asks, and not before", async () => {
+    const b = bench(first_example.problem),
+      of = machine_of(first_example.problem, tau);
+    await settled(b);
+    expect(requests(b)).toBe(0);
+    const [one, other] = await Promise.all([ask_machine(b.workbench, of), ask_machine(b.workbench, {...of})]);
+    expect(one).not.toBeNull();
+    expect(other).toBe(one);
+    expect(await ask_machine(b.workbench, {...of})).toBe(one);
+    expect(b.workbench.machines.value).toBe(one);
+    expect(requests(b)).toBe(1);
+  });
+  it("is superseded by that of another linkage, and has the last one's answer", async () => {
+    const b = bench(first_example.problem);
+    await settled(b);
+    b.machine.late_ms.machine = 20;
+    const places = [0, 1, 2, 3, 4].map((k): TauPair => [tau[0] + 1e-3 * k, tau[1]]),
+      asked = places.map((place) => ask_machine(b.workbench, machine_of(first_example.problem, place)));
+    const last = (await Promise.all(asked)).at(-1);
+    expect(last).not.toBeNull();
+    expect(b.workbench.machines.value).toBe(last);
+    expect(b.workbench.machines.of!.tau).toEqual(places.at(-1));
+    expect(requests(b)).toBeLessThanOrEqual(2); // that with the engine, and the last
+  });
+  it("says why it has no answer", async () => {
+    const b = bench(first_example.problem);
+    await settled(b);
+    plate_choice.give("pin", 1e6);
+    expect(await ask_machine(b.workbench, machine_of(first_example.problem, tau))).toBeNull();
+    expect((b.workbench.machines.error as Refusal).mistakes[0]!.code).toBe("size_out_of_range");
+    plate_choice.give("pin", null);
+    expect(await ask_machine(b.workbench, machine_of(first_example.problem, tau))).not.toBeNull();
+    expect(b.workbench.machines.error).toBeNull();
   });
 });
 

@@ -1,5 +1,5 @@
 // What can be taken away, and of which linkage: the picked one, or one that is pinned.
-import type {ExportFormat, Linkage, LinkageType, MachineFormat, MachinePlan, TauPair} from "../contract/messages";
+import type {ExportFormat, Linkage, LinkageType, MachineFormat, TauPair} from "../contract/messages";
 import {drawing_svg, drawing_with_more} from "../drawing/snapshot";
 import {css_values} from "../state/css_values";
 import {engine_text, outline_of, type Problem} from "../state/problem";
@@ -13,8 +13,8 @@ import {animated_gif, type Progress} from "./animation";
 import {containers, film, film_angles, type Container} from "./film";
 import {film_choice} from "./film_form.svelte";
 import {animation_frames} from "./frames";
+import {machine_of} from "./machine";
 import {file_name, file_stem} from "./names";
-import {plate_choice} from "./plate_form.svelte";
 import {picture_colors, picture_of} from "./picture";
 import {has_stage_picture, rasterised, stage_picture} from "./raster";
 
@@ -102,7 +102,7 @@ export async function made_file(
   if (is_of_a_machine(format)) {
     const {bytes, extension} = await workbench.driver_client!.run({
       kind: "machine_file",
-      ...machine_of(target),
+      ...machine_of(target.problem, target.tau),
       format,
     });
     const name = file_name(format === "plates" ? `${stem}-plates` : stem, extension);
@@ -116,13 +116,6 @@ export async function made_file(
 }
 export function is_of_a_machine(format: Format): format is MachineFormat {
   return (machine_formats as readonly Format[]).includes(format);
-}
-function machine_of({problem, tau}: Target) {
-  return {problem: engine_text(problem), tau, sizes: plate_choice.sizes};
-}
-/** The linkage as plates on pins, to be looked at before it is made; throws a Refusal. */
-export function machine_plan(workbench: Workbench, target: Target): Promise<MachinePlan> {
-  return workbench.driver_client!.follow("machine", machine_of(target));
 }
 /** What is told of a linkage in its problem: another unit or title makes another drawing of the same bars. */
 export function question_of({problem, tau}: Target): string {

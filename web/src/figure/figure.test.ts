@@ -2,8 +2,10 @@ import {describe, expect, it} from "vitest";
 import type {Linkage, Point} from "../contract/messages";
 import {six_bar} from "../tasks/six_bar/figure";
 import {paint_figure} from "./canvas";
-import {bar_of, is_slender, middle_of, points_of, web_of, type Figure} from "./figure";
+import {is_slender, middle_of, points_of, web_of, type Figure} from "./figure";
 import {four_bar} from "./four_bar";
+
+const corners_of = ({bodies}: Figure, link: string) => bodies.find(({name}) => name === link)!.corners;
 
 const linkage = {
   input: {center: [0, 0], circle: [0, 50], center_homogeneous: [1, 0, 0], circle_homogeneous: [1, 0, 50]},
@@ -40,7 +42,7 @@ describe("the figure of a four-bar", () => {
     for (const stage of [0, 1]) {
       const figure = four_bar.figure(linkage, four_bar.still(linkage, poses, stage), outline),
         web = web_of(figure)!;
-      for (const pivot of bar_of(figure, "coupler")!) expect(web).toContainEqual(pivot);
+      for (const pivot of corners_of(figure, "coupler")) expect(web).toContainEqual(pivot);
       expect(web.length).toBeGreaterThan(2); // and a corner of the body, or two
     }
     expect(web_of(four_bar.figure(linkage, four_bar.still(linkage, poses, 0)))).toBeNull();
@@ -60,7 +62,7 @@ describe("the figure of a four-bar", () => {
   it("stands at the position nearest to the stage, its moving pivots carried along", () => {
     const figure = four_bar.figure(linkage, four_bar.still(linkage, poses, 0.8));
     expect(figure.guided).toBeNull();
-    const [from, to] = bar_of(figure, "input")!;
+    const [from, to] = corners_of(figure, "input") as [Point, Point];
     expect(from).toEqual([0, 0]);
     expect(to[0]).toBeCloseTo(-40, 9);
     expect(to[1]).toBeCloseTo(20, 9);
@@ -111,20 +113,20 @@ describe("the figure of a six-bar", () => {
   const figure = six_bar.figure(of, six_bar.still(of, poses, 0), outline);
   it("has bars and plates, named hinges, and the body on the last link of the chain", () => {
     expect(figure.bodies.map(({name, role, corners}) => [name, role, corners.length])).toEqual([
-      ["1", "driver", 3],
-      ["2", "coupler", 3],
-      ["3", "coupler", 2],
-      ["4", "input", 2],
-      ["5", "output", 2],
+      ["body_1", "driver", 3],
+      ["body_2", "coupler", 3],
+      ["body_3", "coupler", 2],
+      ["body_4", "input", 2],
+      ["body_5", "output", 2],
     ]);
     expect(figure.joints.map(({name, kind, joins}) => [name, kind === "ground_pivot", joins.join()])).toEqual([
-      ["a", true, "ground,1"],
-      ["b", false, "1,2"],
-      ["d", false, "2,3"],
-      ["c4", true, "ground,4"],
-      ["z4", false, "3,4"],
-      ["c5", false, "2,5"],
-      ["z5", false, "1,5"],
+      ["a", true, "ground,body_1"],
+      ["b", false, "body_1,body_2"],
+      ["d", false, "body_2,body_3"],
+      ["c4", true, "ground,body_4"],
+      ["z4", false, "body_3,body_4"],
+      ["c5", false, "body_2,body_5"],
+      ["z5", false, "body_1,body_5"],
     ]);
     expect(figure.joints.map(({end}) => end && `${end.side} ${end.end}`).slice(3)).toEqual([
       "input center",
@@ -132,7 +134,7 @@ describe("the figure of a six-bar", () => {
       "output center",
       "output circle",
     ]);
-    expect(figure.guided?.on).toBe("3");
+    expect(figure.guided?.on).toBe("body_3");
     expect(web_of(figure)).toEqual(
       expect.arrayContaining([
         [20, 4],

@@ -1,5 +1,6 @@
 // What is drawn of a linkage in one configuration, whoever paints it: on the drawing and in small (FigureLayer), in films
-// (canvas), in 3-D (solid/scene). Places lie in the fixed frame, in the user's unit; painters give roles their looks.
+// (canvas); the parts in 3-D (solid/model) have its colours. Places lie in the fixed frame, in the user's unit; painters
+// give roles their looks.
 import type {Point, Side} from "../contract/messages";
 import {placed} from "../state/problem";
 import {convex_hull} from "./hull";
@@ -141,16 +142,4 @@ export function is_slender({bodies}: Figure): boolean {
 export function middle_of({corners}: Pick<Body, "corners">): Point {
   const sum = (axis: 0 | 1) => corners.reduce((total, corner) => total + corner[axis], 0);
   return [sum(0) / corners.length, sum(1) / corners.length];
-}
-/** An edge of a plate, from one joint to the next; of a bar its only one. */
-export function edge_of({bodies}: Figure, link: string, edge: number): readonly [Point, Point] | null {
-  const corners = bodies.find(({name}) => name === link)?.corners ?? [],
-    from = corners[edge],
-    to = corners[(edge + 1) % corners.length];
-  return from && to ? [from, to] : null;
-}
-/** The ends of a link that is a bar. */
-export function bar_of({bodies}: Figure, link: string): readonly [Point, Point] | null {
-  const [from, to] = bodies.find(({name}) => name === link)?.corners ?? [];
-  return from && to ? [from, to] : null;
 }

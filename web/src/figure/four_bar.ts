@@ -14,15 +14,7 @@ import {
   type Place,
   type Slider,
 } from "./figure";
-import {
-  in_plane,
-  reached_rows,
-  type Carrier,
-  type Configuration,
-  type Mechanism,
-  type PlateOrder,
-  type PlateWords,
-} from "./mechanism";
+import {in_plane, reached_rows, type Carrier, type Configuration, type Mechanism, type PlateWords} from "./mechanism";
 
 const sides = ["input", "output"] as const,
   coupler = "coupler";
@@ -94,15 +86,6 @@ function unit(x: number, y: number): Point {
 function linked(ends: Ends): Figure {
   return {...empty_figure, bodies: bodies_of(ends), joints: joints_of(ends)};
 }
-
-/** Simple ones first; then those in which the ground pins end below the coupler. */
-export const plate_orders: readonly PlateOrder[] = [
-  {input: 1, coupler: 2, output: 1},
-  {input: 1, coupler: 2, output: 3},
-  {input: 3, coupler: 2, output: 1},
-  {input: 1, coupler: 3, output: 2},
-  {input: 2, coupler: 3, output: 1},
-];
 
 export const four_bar_words: PlateWords = {
   body: (name) => t(`num.${name}` as TextKey),
@@ -184,7 +167,6 @@ export const four_bar: Mechanism = {
     ];
   },
   plate_words: four_bar_words,
-  plates: plate_orders,
 };
 
 /** A frame at a point, its x axis towards another. */

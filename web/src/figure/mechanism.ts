@@ -3,7 +3,6 @@ import type {Drive, Linkage, Pivot, Point, Side} from "../contract/messages";
 import {joints_at, row_count, row_joints, row_state, state_at, type State} from "../state/drive";
 import {least_of, most_of} from "../state/ends";
 import {placed, type Pin} from "../state/problem";
-import type {TextKey} from "../texts/texts.svelte";
 import type {Body, End, Ends, Figure, Place, Role, Trace} from "./figure";
 
 /** A linkage in one state of its motion. */
@@ -39,8 +38,6 @@ export interface PlateWords {
   body(name: string): string;
   pin(name: string): string;
 }
-/** Layers in which plates may lie, by the name of the link; the ground is 0. */
-export type PlateOrder = Readonly<Record<string, number>>;
 
 export interface Mechanism {
   /** Where the drive has got to; `hinges`: what the drive's table has after its states. */
@@ -71,8 +68,6 @@ export interface Mechanism {
   /** What the body guides is its origin: its path is shown though there is no outline. */
   guides_a_point?: true;
   plate_words: PlateWords;
-  /** How its links can lie over each other as plates, the simplest first; or why there is no view in 3-D. */
-  plates: readonly PlateOrder[] | {missing: TextKey};
 }
 
 /** A joint of the plane; nothing where it is one of something else. */

@@ -21,5 +21,4 @@ export const no_mechanism: Mechanism = {
   ghost: () => empty_figure,
   dimensions: () => [],
   plate_words: {body: (name) => name, pin: (name) => name},
-  plates: {missing: "drive.nothing"},
 };

@@ -3,10 +3,13 @@ import {state_columns, state_width, type Drive, type Point} from "../contract/me
 
 export type State = Record<(typeof state_columns)[number], number>;
 
-export function row_count(drive: Drive): number {
+/** Rows of numbers by rising driver angle, which stands first in each. */
+export type Table = Pick<Drive, "states" | "width">;
+
+export function row_count(drive: Table): number {
   return drive.states.length / drive.width;
 }
-export function angle_of_row(drive: Drive, row: number): number {
+export function angle_of_row(drive: Table, row: number): number {
   return drive.states[row * drive.width]!;
 }
 export function travel(drive: Drive): [low: number, high: number] {
@@ -27,7 +30,7 @@ export function row_joints(drive: Drive, row: number): Point[] {
 }
 
 /** The last row before a driver angle (degrees from position 1), and the share of the way to the next. */
-export function row_at(drive: Drive, angle_deg: number): {row: number; share: number} {
+export function row_at(drive: Table, angle_deg: number): {row: number; share: number} {
   const last = row_count(drive) - 1;
   let low = 0,
     high = last;

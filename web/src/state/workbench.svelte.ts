@@ -12,6 +12,7 @@ import {
   type Picked,
   type Property,
   type Replies,
+  type Requests,
   type Side,
   type TaskAnswer,
   type TauPair,
@@ -30,6 +31,7 @@ import {
   with_other_task,
   with_pose_moved,
 } from "../tasks/kinds";
+import {Question} from "../questions/question.svelte";
 import {Questions} from "../questions/questions";
 import type {TextKey, Values} from "../texts/texts.svelte";
 import {Answers, type Halo} from "./answers.svelte";
@@ -46,7 +48,7 @@ import {find_pin, free_name, new_pin} from "./pins";
 import {preferences} from "./preferences.svelte";
 import {most_pins, type Pin, type Problem} from "./problem";
 import type {Steps} from "./steps";
-import {same_task} from "./task";
+import {same_task, same_value} from "./task";
 import {WayOutSeeker} from "./way_out.svelte";
 import {after_change, with_toast, type Toast} from "./toasts";
 
@@ -118,6 +120,11 @@ export class Workbench extends Editing {
   readonly best_list = new BestList(this);
   /** What analyses keep of what they have found, by what they call it. */
   readonly studies: Record<string, object> = {};
+  /** The linkage as plates on pins, whoever shows it: one is asked for at a time. */
+  readonly machines = new Question<Requests["machine"], Replies["machine"]>(this.questions, {
+    same: same_value,
+    follows: true,
+  });
   engine: EngineClient | null = null; // follows the task
   driver_client: EngineClient | null = null; // follows the pointer
   /** One more engine, for what takes its time. */

@@ -40,7 +40,6 @@ export const swing_view: TaskView = {
     },
     dimensions: () => [{name: "radius of the gate", value: 50}],
     plate_words: {body: (name) => name, pin: (name) => name},
-    plates: {missing: "drawing.title"},
   },
   Stage,
   Region: null,

@@ -11,8 +11,9 @@ import {body_name, joint_mark, joint_words, length_words} from "./names";
 
 const guided_body = 3;
 
+/** As the engine calls it. */
 function name_of(body: number): string {
-  return body === 0 ? ground : String(body);
+  return body === 0 ? ground : `body_${body}`;
 }
 function points_at(places: readonly Point[], joints: readonly number[]): Point[] {
   return joints.flatMap((joint) => {
@@ -141,5 +142,4 @@ export const six_bar: Mechanism = {
     body: (name) => body_name(Number(name.replace("body_", "")) || 0),
     pin: (name) => t("solid.pin", {name: joint_mark(name)}),
   },
-  plates: {missing: "six_bar.no_solid"},
 };

@@ -107,5 +107,4 @@ export const spherical_four_bar: Mechanism = {
     ];
   },
   plate_words: four_bar_words,
-  plates: {missing: "spherical.no_solid"},
 };
