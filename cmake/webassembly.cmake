@@ -18,8 +18,9 @@ endforeach()
 target_compile_definitions(fmt::fmt INTERFACE FMT_HEADER_ONLY)
 
 # Exceptions are WebAssembly's own; the paths of this machine stay out of the module. Emscripten's clang 14 makes wrong
-# code of six_bar_walk.cpp when it packs neighbouring statements into vectors (-fslp-vectorize); loops are not concerned.
-add_compile_options(-msimd128 -fno-slp-vectorize -fwasm-exceptions "-ffile-prefix-map=${PROJECT_SOURCE_DIR}=."
+# code of six_bar_walk.cpp when it packs neighbouring statements into vectors (-fslp-vectorize; loops are not concerned),
+# and of attitude_reply.cpp with -Os or -Oz when values that it takes for dead give their place on the stack to others.
+add_compile_options(-msimd128 -fno-slp-vectorize "SHELL:-mllvm -no-stack-coloring" -fwasm-exceptions "-ffile-prefix-map=${PROJECT_SOURCE_DIR}=."
                     "-ffile-prefix-map=${PROJECT_BINARY_DIR}=build")
 add_link_options(-fwasm-exceptions)
 

@@ -248,9 +248,12 @@ test("19 · the engine dies in the middle of a map, and nothing is lost", async 
   const killed = page.evaluate(
     () =>
       new Promise<number>((resolve) => {
-        const {workbench, kill_engine} = globalThis.__linkwright as unknown as {
-          workbench: {engine: {busy: boolean}; maps: {fine: boolean}; edit(change: (problem: object) => object): void};
-          kill_engine(): void;
+        const {workbench} = globalThis.__linkwright as unknown as {
+          workbench: {
+            engine: {busy: boolean; worker: Worker};
+            maps: {fine: boolean};
+            edit(change: (problem: object) => object): void;
+          };
         };
         workbench.edit((problem) => ({
           ...problem,
@@ -258,7 +261,9 @@ test("19 · the engine dies in the middle of a map, and nothing is lost", async 
         }));
         const look = () => {
           if (!(workbench.maps.fine && workbench.engine.busy)) return void setTimeout(look, 1);
-          kill_engine();
+          const {worker} = workbench.engine;
+          worker.terminate();
+          worker.dispatchEvent(new ErrorEvent("error", {message: "killed", cancelable: true}));
           resolve(performance.now());
         };
         look();

@@ -1,3 +1,4 @@
+import {kill} from "../../tests/kill";
 import {afterEach, beforeEach, describe, expect, it, vi} from "vitest";
 import {Cancelled, Crashed, EngineClient, no_answer, patience_ms, Refusal, Superseded} from "./client";
 import type {ReplyMessage, RequestMessage} from "../contract/messages";
@@ -157,7 +158,7 @@ describe("a worker that dies", () => {
     first.ready();
     const lost = expect(engine.follow("explore", explore)).rejects.toBeInstanceOf(Crashed);
     const waits = engine.follow("linkage", {problem, tau});
-    engine.kill();
+    kill(engine);
     await lost;
     expect(first.dead).toBe(true);
     expect(crashes).toEqual([["killed", false]]);
@@ -293,13 +294,13 @@ describe("what is run", () => {
     const engine = client(),
       made = engine.run(dxf);
     Puppet.last.ready();
-    engine.kill();
+    kill(engine);
     Puppet.last.ready();
     Puppet.last.answer({text: "x"});
     expect(await made).toEqual({text: "x"});
     const deadly = expect(engine.run(svg)).rejects.toBeInstanceOf(Crashed);
     for (let i = 0; i < 2; ++i) {
-      engine.kill();
+      kill(engine);
       vi.advanceTimersByTime(4000);
       Puppet.last.ready();
     }

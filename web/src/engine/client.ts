@@ -136,12 +136,6 @@ export class EngineClient {
     this.waiting.clear();
     this.kept = [];
   }
-  /** For tests: the worker dies, and says so as the browser would. */
-  kill(): void {
-    const worker = this.worker;
-    worker?.terminate();
-    worker?.dispatchEvent(new ErrorEvent("error", {message: "killed", cancelable: true}));
-  }
 
   private launch(): void {
     const worker = this.start();

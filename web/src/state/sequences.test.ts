@@ -1,6 +1,7 @@
 // Whatever is done, in whatever order, and whatever dies meanwhile: nothing is lost. A model keeps the documents and where
 // undo stands in them; workbench and store have to agree with it after every action.
 import fc from "fast-check";
+import {kill} from "../../tests/kill";
 import {afterAll, beforeAll, describe, expect, it, vi} from "vitest";
 import {patience_ms, type EngineClient} from "../engine/client";
 import type {Axis, Kind, RequestMessage, Requests, TauPair} from "../contract/messages";
@@ -260,7 +261,7 @@ const doings: Record<string, Doing> = {
     set_to_work(page, by);
     const client = page.clients[by % 2];
     met.killed_at_work += Number(client!.busy);
-    client!.kill();
+    kill(client!);
   },
   hang: async (page, _, by) => {
     hangs = true;

@@ -229,17 +229,13 @@ export class Workbench extends Editing {
     this.start_engine = () => new EngineClient(start, unheard, unheard, search_patience * patience_ms);
     this.on_commit(() => this.wake());
   }
-  /** For tests and the Stop button. */
+  /** The Stop button. */
   restart_engine(): void {
     this.engine?.restart();
   }
   /** Starts again what rests after dying time after time: the user has asked for it, or changed the task. */
   private wake(): void {
     for (const client of [this.engine, this.driver_client]) if (client?.resting) client.restart();
-  }
-  /** For tests: the worker dies as if the browser had killed it. */
-  kill_engine(): void {
-    this.engine?.kill();
   }
   /** What the page shows before the engine has answered: a stored answer for the document in force. */
   show_stored(task: TaskAnswer, map: MapAnswer | null, linkage: Linkage | null, live: Live | null = null): void {
