@@ -36,7 +36,7 @@ export class EachOnce<Of, Value> {
   async want(wanted: readonly Of[]): Promise<void> {
     const client = this.asking.driver_client,
       keys = wanted.map(this.key);
-    this.forget_all_but(new Set(keys));
+    this.forget_all_but(keys);
     if (!client || keys.every((key) => this.known.has(key))) return this.question.drop();
     await this.question.ask(keys.join("\n"), (signal) => this.ask_each(client, wanted, signal));
   }
@@ -54,8 +54,8 @@ export class EachOnce<Of, Value> {
     if (crash) throw crash;
     return true;
   }
-  private forget_all_but(wanted: ReadonlySet<string>): void {
-    const others = [...this.known.keys()].filter((key) => !wanted.has(key));
+  private forget_all_but(wanted: readonly string[]): void {
+    const others = [...this.known.keys()].filter((key) => !wanted.includes(key));
     for (const key of others.slice(0, Math.max(others.length - this.most, 0))) this.known.delete(key);
   }
 }
