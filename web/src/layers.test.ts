@@ -75,6 +75,21 @@ describe("the frame and the kinds", () => {
   });
 });
 
+describe("requests", () => {
+  // What the user does once, and is told how it ended.
+  const once = ["drawing/outline_file.ts", "exports/take_away.ts", "shell/files.ts"];
+  const asking = files.filter((file) => /(\b|_)(engine|client)!?\s*\??\.(run|follow)\(/.test(texts.get(file)!));
+
+  it("are found", () => expect(asking.length).toBeGreaterThan(12));
+  it.each(asking.filter((file) => !once.includes(file)))("are made by questions in %s", (file) => {
+    const knows = imports.get(file)!.some((to) => to.startsWith("questions/") || to === "state/answers.svelte.ts");
+    expect(knows || /\bmachines\.ask\(/.test(texts.get(file)!)).toBe(true);
+  });
+  it.each(asking)("lose no error in %s", (file) =>
+    expect(texts.get(file)).not.toMatch(/\.catch\(\(\) => (null|undefined|\{\}|\[\])/),
+  );
+});
+
 describe("the frame", () => {
   const kinds = readdirSync(join(root, "tasks"), {withFileTypes: true})
     .filter((entry) => entry.isDirectory())

@@ -30,6 +30,7 @@ interface Asking<Value> {
   at_leisure?: boolean;
   /** Hears of the answer in the moment in which it is there: what it brings along is shown with it. */
   taken?: (value: Value) => void;
+  refused?: (refusal: Refusal) => void;
 }
 
 /** One question, asked again and again of something else. The last answer stays until the next is there. */
@@ -71,6 +72,10 @@ export class Question<Of, Value> {
   is_asked(of: Of): boolean {
     return this.last !== undefined && this.same(this.last.of, of);
   }
+  /** Until what was asked last has its answer, or has none. */
+  get underway(): Promise<unknown> {
+    return this.last?.answer ?? Promise.resolve();
+  }
   private get last(): Asked<Of, Value> | undefined {
     return this.asked.at(-1);
   }
@@ -88,7 +93,7 @@ export class Question<Of, Value> {
   private async answer_of(
     asked: Asked<Of, Value>,
     request: Request<Value>,
-    {rest_ms = 0, taken}: Asking<Value>,
+    {rest_ms = 0, taken, refused}: Asking<Value>,
   ): Promise<Value | null> {
     const {signal} = asked.stop;
     try {
@@ -103,7 +108,9 @@ export class Question<Of, Value> {
       if (value !== null) this.take(asked.of, value, taken);
       return value;
     } catch (error) {
-      if (!signal.aborted) this.note(error);
+      if (signal.aborted) return null;
+      this.note(error);
+      if (error instanceof Refusal) refused?.(error);
       return null;
     } finally {
       this.questions.end(asked);

@@ -33,10 +33,12 @@ export class BestSeeker {
   private met = false; // the picked linkage met all that was required, before the last change
   private readonly best: Question<object, Replies["best"]>;
   private readonly better: Question<object, Replies["improve"]>;
+  private readonly next: Question<Problem, Replies["best"]>;
   private readonly left: Question<object, Replies["best"]>;
 
   constructor(private readonly sought: Sought) {
     this.best = new Question(sought.questions);
+    this.next = new Question(sought.questions);
     this.left = new Question(sought.questions);
     this.better = new Question(sought.questions);
   }
@@ -76,12 +78,16 @@ export class BestSeeker {
   /** The next local best of another type, or the one before. */
   async pick_next_best(step: 1 | -1): Promise<void> {
     const {sought} = this,
-      {problem, picked} = sought,
-      client = sought.driver_client;
-    const reply = await client?.run({kind: "best", problem: engine_text(problem), most: listed}).catch(() => null);
+      {problem, driver_client: client} = sought;
+    if (!client) return;
+    const reply = await this.next.ask(problem, (signal) =>
+      client.run({kind: "best", problem: engine_text(problem), most: listed}, {signal}),
+    );
     if (!reply || sought.problem !== problem) return;
     const firsts = reply.linkages.filter((a, i, all) => all.findIndex((b) => b.type === a.type) === i);
-    const now = firsts.findIndex((first) => first.type === sought.answers.picked_linkage?.type);
+    const {picked} = sought, // one step on, perhaps, for each time that it was asked for meanwhile
+      picked_now = reply.linkages.find(({tau}) => same_tau(tau, picked?.tau)) ?? sought.answers.picked_linkage;
+    const now = firsts.findIndex(({type}) => type === picked_now?.type);
     const next = firsts[(now + step + firsts.length) % firsts.length];
     if (next && !same_tau(picked?.tau, next.tau)) sought.pick(next.tau);
   }

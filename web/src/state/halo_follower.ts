@@ -1,6 +1,6 @@
 // Shows where a part of the task may go with linkages left, while it is held or before it is touched.
 import type {EngineClient} from "../engine/client";
-import {Question} from "../questions/question.svelte";
+import {null_if_refused, Question} from "../questions/question.svelte";
 import type {Questions} from "../questions/questions";
 import type {Answers, Halo} from "./answers.svelte";
 import type {Document} from "./document";
@@ -40,21 +40,25 @@ export class HaloFollower {
 
   private async ask(part: number, mode: Halo["mode"], reach: number, steps: number): Promise<Halo | null> {
     const problem = engine_text(this.held.document.problem);
-    const reply = await this.held.driver_client
-      ?.follow("halo", {problem, part, mode, reach, steps, samples})
-      .catch(() => null);
+    const reply = await this.held.driver_client?.follow("halo", {problem, part, mode, reach, steps, samples});
     return reply ? {...reply, part, mode} : null;
   }
   /** The position which has the most room: a newcomer is to drag it. Nothing where it is not `wanted` any more. */
   async offer(poses: number, reach: number, wanted: () => boolean): Promise<void> {
+    await this.question.ask({}, (signal) => this.roomiest(poses, reach, () => !signal.aborted && wanted()), {
+      at_leisure: true,
+    });
+  }
+  private async roomiest(poses: number, reach: number, wanted: () => boolean): Promise<Halo | null> {
     const {problem} = this.held.document;
     let best: {room: number; halo: Halo | null} = {room: 0, halo: null};
     for (let pose = 0; pose < poses && this.held.document.problem === problem; ++pose) {
-      const halo = await this.ask(pose, "move", reach, first_steps),
+      const halo = await this.ask(pose, "move", reach, first_steps).catch(null_if_refused),
         room = halo ? roomy_squares(halo.counts) : 0;
       if (room > best.room) best = {room, halo};
     }
     if (this.held.document.problem === problem && !this.held.gesture && wanted()) this.held.answers.halo = best.halo;
+    return best.halo;
   }
   /** Nothing is held any more. */
   release(): void {

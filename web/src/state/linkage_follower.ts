@@ -1,5 +1,5 @@
 // Keeps the linkage in hand and the picked one up to the document and the pointer.
-import {Refusal, type EngineClient} from "../engine/client";
+import type {EngineClient, Refusal} from "../engine/client";
 import type {Linkage, Mistake, Picked, Replies, TauPair} from "../contract/messages";
 import {Question} from "../questions/question.svelte";
 import type {Questions} from "../questions/questions";
@@ -43,13 +43,19 @@ export class LinkageFollower {
 
   /** Something else is hovered, or nothing. */
   hover(): void {
-    const {hovered, picked, problem, answers} = this.followed,
-      known = answers.picked_linkage;
-    if (hovered) void this.fetch_hand();
-    else if (known && answers.picked_is_of(problem) && same_tau(known.tau, picked?.tau)) {
-      answers.take_hand(known, problem);
-      void this.fetch_live();
-    } else this.follow();
+    const {hovered, picked, answers} = this.followed,
+      known = answers.picked_linkage,
+      of = this.on_screen;
+    if (hovered) void this.fetch_hand(of);
+    else if (known && answers.picked_is_of(of) && same_tau(known.tau, picked?.tau)) {
+      answers.take_hand(known, of);
+      void this.fetch_live(of);
+    } else this.follow(of);
+  }
+  /** The task whose map is on screen, which a new one's is on its way to: τ is a place on that. */
+  private get on_screen(): Problem {
+    const {answers, problem} = this.followed;
+    return answers.map_is_of_present ? problem : (answers.explored.of?.problem ?? problem);
   }
   /** Fetches what the linkage in hand is now; in a drag, of the task whose map is on screen: τ is a place on that. */
   follow(of = this.followed.problem): void {
@@ -75,16 +81,12 @@ export class LinkageFollower {
   private async fetch_hand(problem = this.followed.problem): Promise<void> {
     const {tau_in_hand: tau, document, answers, driver_client} = this.followed;
     if (!tau || !driver_client) return answers.forget_hand();
-    const request = async (signal: AbortSignal) => {
-      try {
-        const {linkage} = await driver_client.follow("linkage", {problem: engine_text(problem), tau});
-        return same_tau(this.followed.tau_in_hand, tau) ? linkage : null;
-      } catch (error) {
-        if (error instanceof Refusal && !signal.aborted) this.not_held({problem, tau}, error);
-        throw error;
-      }
+    const request = async () => {
+      const {linkage} = await driver_client.follow("linkage", {problem: engine_text(problem), tau});
+      return same_tau(this.followed.tau_in_hand, tau) ? linkage : null;
     };
     await answers.held.ask({problem, tau}, request, {
+      refused: (refusal) => this.not_held({problem, tau}, refusal),
       taken: (linkage) => {
         if (gives_linkage(problem.task)) {
           answers.take_picked(linkage, problem);
@@ -148,7 +150,10 @@ export class LinkageFollower {
       {problem, answers, driver_client} = followed;
     const {hand} = answers;
     if (hand && same_tau(hand.tau, tau) && answers.hand_is_of_present) return hand;
-    const reply = await driver_client?.run({kind: "linkage", problem: engine_text(problem), tau}).catch(() => null);
-    return reply && followed.problem === problem ? reply.linkage : null;
+    if (!driver_client) return null;
+    const pointed = new Question<TauPair, Linkage>(followed.questions), // each is wanted, whatever is pointed at next
+      asked = {kind: "linkage", problem: engine_text(problem), tau} as const,
+      linkage = await pointed.ask(tau, async (signal) => (await driver_client.run(asked, {signal})).linkage);
+    return followed.problem === problem ? linkage : null;
   }
 }

@@ -199,9 +199,8 @@ export class MapFollower {
     const {mapped, asked} = this,
       {engine, answers, problem, window, property} = mapped,
       order = answers.task?.axes.input.order ?? "fresh";
-    const reply = await engine
-      ?.follow("explore", {problem: engine_text(problem), samples: even_samples, window, property, order})
-      .catch(() => null);
+    const request = {problem: engine_text(problem), samples: even_samples, window, property, order} as const,
+      reply = await engine?.follow("explore", request);
     if (!reply?.map || this.asked !== asked || mapped.problem !== problem) return false;
     answers.explored.put({problem}, reply);
     answers.yields = progress;

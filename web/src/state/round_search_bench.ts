@@ -11,14 +11,13 @@ export function searching_workbench(
 ): {workbench: Workbench; asked: string[]} {
   const workbench = new Workbench(problem),
     asked: string[] = [];
-  let closed = false;
   const searching = {
-    close: () => void (closed = true),
-    async run({rounds}: Requests["search"], {progress}: Run<"search">) {
+    close: () => {},
+    async run({rounds}: Requests["search"], {signal, progress}: Run<"search">) {
       let found = null;
       for (const [round, text] of rounds.entries()) {
         await Promise.resolve();
-        if (closed) throw new Cancelled();
+        if (signal?.aborted) throw new Cancelled();
         asked.push(text);
         found = find();
         progress?.({rounds: round + 1, found});

@@ -104,6 +104,8 @@ export class Workbench extends Editing {
   toasts = $state.raw<Toast[]>([]);
   /** Step of the drawing's grid at its zoom, to which positions snap; the drawing says. */
   grid_step = $state(0);
+  /** Counts the starts of engines: what was on its way to one before is asked anew. */
+  starts = $state(0);
   engine_state = $state<"loading" | "ready" | "missing" | "slow">("loading");
   /** Step of the short tour, from 0; null: it is not on. */
   tour = $state<number | null>(null);
@@ -220,11 +222,16 @@ export class Workbench extends Editing {
       if (!resting) setTimeout(() => this.refresh(), 0);
     };
     const ready = () => {
+      ++this.starts;
       this.engine_state = "ready";
       this.refresh();
     };
+    const driver_ready = () => {
+      ++this.starts;
+      this.linkages.follow();
+    };
     this.engine = new EngineClient(start, crashed, ready);
-    this.driver_client = cores > 1 ? new EngineClient(start, died, () => this.linkages.follow()) : this.engine;
+    this.driver_client = cores > 1 ? new EngineClient(start, died, driver_ready) : this.engine;
     const unheard = () => {};
     this.start_engine = () => new EngineClient(start, unheard, unheard, search_patience * patience_ms);
     this.on_commit(() => this.wake());

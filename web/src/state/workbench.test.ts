@@ -2,7 +2,8 @@
 import {describe, expect, it} from "vitest";
 import {targets} from "../exports/take_away";
 import {examples, first_example} from "../gallery/gallery";
-import {fetch_pin} from "../pins/fetch";
+import {pinned_in} from "../pins/pinned_in";
+import {each_linkage} from "./each_linkage";
 import {with_options, with_requirements, type Problem} from "./problem";
 import {fresh_function, function_kind} from "../tasks/function/kind";
 import {pairs_of, with_named} from "../tasks/function/pairs";
@@ -56,7 +57,10 @@ describe("the workbench", () => {
       with_options(with_named(problem, fresh_function(pairs_of(workbench))), {objective: "structural_error"}),
     );
     await until(() => workbench.is_current);
-    expect((await fetch_pin(workbench.driver_client!, workbench.problem, pin!))?.lengths).toEqual(pin!.lengths);
+    const linkages = each_linkage(workbench),
+      pinned = pinned_in(workbench.problem, pin!);
+    await linkages.want([pinned]);
+    expect(linkages.value_of(pinned)?.lengths).toEqual(pin!.lengths);
     const {problem} = targets(workbench).find((target) => target.pin === pin!.name)!;
     expect(problem).toMatchObject({task: pairs.task, options: {}});
     workbench.pick_pin(pin!);

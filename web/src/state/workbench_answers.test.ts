@@ -120,6 +120,25 @@ describe("the answers on the workbench", () => {
     await settled(b);
   });
 
+  it("has what is pointed at on a map that a newer one is to replace in hand as that map has it", async () => {
+    const b = bench(tailgate),
+      {workbench, machine} = b,
+      tau = [1.3125, 1.1125] as const;
+    await settled(b);
+    const before = engine_text(workbench.problem);
+    machine.late_ms.explore = 400;
+    workbench.edit((problem) => with_pose(problem, 2, {x: -219}));
+    workbench.hover([...tau]);
+    await until(() => workbench.hand!.tau[0] === tau[0]);
+    expect([workbench.answers.map_is_of_present, workbench.answers.hand_is_of_present]).toEqual([false, false]);
+    const asked = b.asked.filter(({kind}) => kind === "linkage") as unknown as {problem: string; tau: number[]}[];
+    expect(asked.at(-1)).toMatchObject({problem: before, tau});
+    await until(() => workbench.answers.map_is_of_present && workbench.answers.hand_is_of_present);
+    expect(workbench.hand!.tau).toEqual(tau);
+    workbench.hover(null);
+    await settled(b);
+  });
+
   it("keeps the linkage that a map has brought where one that was asked for before comes after", async () => {
     const b = bench(tailgate),
       {workbench, machine} = b;

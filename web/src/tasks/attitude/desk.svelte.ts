@@ -1,5 +1,5 @@
 // What is being looked at of an attitude, how far it is played, and the engine's answer, which follows both.
-import {Crashed, Refusal, Superseded} from "../../engine/client";
+import {Question} from "../../questions/question.svelte";
 import {in_form_of} from "../../orientation/orientation";
 import type {Workbench} from "../../state/workbench.svelte";
 import {prefers_stillness} from "../../transport/play";
@@ -17,16 +17,18 @@ export class AttitudeDesk {
   /** How far each is played: turns, and shares of one. */
   at = $state.raw<Record<Played, number>>({...played_to});
   playing = $state(false);
-  reply = $state.raw<AttitudeReply | null>(null);
   /** A ring being dragged: from this task, about this axis of the body. */
   private ring = $state.raw<{from: AttitudeTask; axis: number; angle_deg: number} | null>(null);
-  private asked = "";
-  /** What `reply` answers. */
-  private answered = "";
-  private underway: Promise<void> = Promise.resolve();
+  /** By the text that the engine is given. */
+  private readonly question: Question<string, AttitudeReply>;
 
-  constructor(private readonly workbench: Workbench) {}
+  constructor(private readonly workbench: Workbench) {
+    this.question = new Question(workbench.questions, {follows: true});
+  }
 
+  get reply(): AttitudeReply | null {
+    return this.question.value;
+  }
   get task(): AttitudeTask | null {
     const {task} = this.workbench.problem;
     return is_attitude(task) ? task : null;
@@ -42,7 +44,7 @@ export class AttitudeDesk {
 
   // ---- the engine -----------------------------------------------------------------------------------------------------
 
-  private get question(): string | null {
+  private get asked(): string | null {
     const {task, ring, at} = this;
     if (!task) return null;
     const turn = ring && {axis: [0, 1, 2].map((k) => Number(k === ring.axis)), angle_deg: ring.angle_deg};
@@ -50,30 +52,21 @@ export class AttitudeDesk {
   }
   /** Asks for what is to be shown, if that is something else: to be called where task, ring and play are followed. */
   follow(): void {
-    const text = this.question,
-      {driver_client} = this.workbench;
-    if (!text || !driver_client || text === this.asked) return;
-    this.asked = text;
-    this.underway = this.ask(text);
-  }
-  private async ask(text: string): Promise<void> {
-    const {workbench, ring} = this,
-      {document} = workbench;
-    try {
-      const {report} = await workbench.driver_client!.follow("report", {of: "attitude", text});
-      const reply = report as AttitudeReply;
-      this.reply = reply;
-      this.answered = text;
-      if (!ring) workbench.accept(document);
-      else if (this.ring) this.show_turned(reply);
-    } catch (error) {
-      if (error instanceof Superseded) return;
-      const refused = error instanceof Refusal;
-      if (this.asked === text) this.asked = refused ? this.answered : ""; // what it goes back to needs no asking
-      if (error instanceof Crashed) return void setTimeout(() => this.follow(), 200);
-      if (!refused) throw error;
-      if (workbench.refuse(document.problem, error.mistakes) && !this.task) workbench.refresh(); // back to another kind
-    }
+    const {question, ring, workbench} = this,
+      {document, driver_client} = workbench,
+      text = this.asked;
+    if (!text || !driver_client) return;
+    if (question.is_of(text)) return question.drop();
+    const request = async () => (await driver_client.follow("report", {of: "attitude", text})).report as AttitudeReply;
+    void question.ask(text, request, {
+      taken: (reply) => {
+        if (!ring) workbench.accept(document);
+        else if (this.ring) this.show_turned(reply);
+      },
+      refused: ({mistakes}) => {
+        if (workbench.refuse(document.problem, mistakes) && !this.task) workbench.refresh(); // back to another kind
+      },
+    });
   }
 
   // ---- rings ----------------------------------------------------------------------------------------------------------
@@ -99,7 +92,7 @@ export class AttitudeDesk {
     this.workbench.drag((problem) => ({...problem, task: {...problem.task, orientation} as AttitudeTask}));
   }
   async leave_ring(): Promise<void> {
-    await this.underway;
+    await this.question.underway;
     this.ring = null;
     this.workbench.end_gesture();
   }

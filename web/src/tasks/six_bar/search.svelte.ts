@@ -1,6 +1,7 @@
 // Looks for a chain, in rounds of more and more chains.
-import type {Box, Linkage, Ranked, TauPair} from "../../contract/messages";
+import type {Box, Ranked} from "../../contract/messages";
 import type {Chain, SixBarTask} from "./task";
+import type {LinkageOf} from "../../state/document";
 import {engine_text, with_options, type Problem} from "../../state/problem";
 import {without_unmet} from "../kinds";
 import {RoundSearch} from "../../state/round_search.svelte";
@@ -14,14 +15,12 @@ export const most_effort = 1_000_000,
 const first_chains = 1000,
   times_as_many = 4;
 
-export interface Found {
+export interface Found extends LinkageOf {
   chain: Chain;
-  tau: TauPair;
   min_transmission_angle_deg: number;
   link_ratio: number;
   longest: number;
   added: SixBarTask["added"];
-  linkage: Linkage | null;
 }
 
 export function box_of_search(problem: Problem): Box {
@@ -48,8 +47,15 @@ function plain({elbow, ...chain}: Chain): Chain {
   return elbow?.some((sign) => sign !== 0) ? {...chain, elbow} : chain;
 }
 
-export class ChainSearch extends RoundSearch {
-  private found = $state.raw<readonly Found[]>([]);
+function found_in(entries: readonly Ranked[], problem: Problem, added: SixBarTask["added"]): Found[] {
+  return entries.flatMap(({link_ratio, longest, chain: found, ...entry}) => {
+    if (!found || link_ratio === null || longest === null) return [];
+    const chain = plain(found);
+    return [{...entry, link_ratio, longest, chain, added, problem: with_six_bar(problem, {chain, added})}];
+  });
+}
+
+export class ChainSearch extends RoundSearch<Found> {
   /** The positions through which they go. */
   private poses = $state.raw<readonly Pose[]>([]);
 
@@ -57,13 +63,11 @@ export class ChainSearch extends RoundSearch {
     const {problem} = this.workbench,
       task = six_bar_task(problem);
     if (this.running || !task) return;
-    this.found = [];
     this.poses = task.poses;
     await this.look({
       rounds: rounds_of(problem).map((chains) => ({problem: engine_text(round_of(problem, chains)), tries: chains})),
       most: problem.options?.best ?? defaults.options.best,
-      take: (entries) => this.take_round(entries, task.added),
-      fetch: () => this.fetch_linkages(problem),
+      read: (entries) => found_in(entries, problem, task.added),
       is_wanted: () => this.is_for(this.workbench.problem),
       refused: "six_bar.refused",
     });
@@ -75,28 +79,6 @@ export class ChainSearch extends RoundSearch {
   /** A chain that was found for other positions does not reach these. */
   found_for(problem: Problem): readonly Found[] {
     return this.is_for(problem) ? this.found : [];
-  }
-  /** What a round before has found as well keeps its linkage. */
-  private take_round(entries: readonly Ranked[], added: SixBarTask["added"]): void {
-    const known = this.found;
-    this.found = entries.flatMap((entry) => {
-      if (!entry.chain) return [];
-      const chain = plain(entry.chain),
-        before = known.find((other) => same_value(other.chain, chain) && same_value(other.tau, entry.tau));
-      const {link_ratio, longest} = entry;
-      if (link_ratio === null || longest === null) return [];
-      return [{...entry, link_ratio, longest, chain, added, linkage: before?.linkage ?? null}];
-    });
-  }
-  /** For their pictures: by the engine that follows the pointer, in turn with what it follows. */
-  private async fetch_linkages(problem: Problem): Promise<void> {
-    for (const one of this.found.filter(({linkage}) => !linkage)) {
-      if (!this.found.includes(one)) continue; // of a round before
-      const {chain, added, tau} = one,
-        asked = engine_text(with_six_bar(problem, {chain, added}));
-      const reply = await this.workbench.driver_client?.run({kind: "linkage", problem: asked, tau}).catch(() => null);
-      if (reply) this.found = this.found.map((other) => (other === one ? {...one, linkage: reply.linkage} : other));
-    }
   }
 
   /** Takes one in hand: its chain and its place on the map of that chain, one step. */

@@ -31,7 +31,9 @@ describe("a search for a chain", () => {
     const {workbench, search} = search_with(() => found);
     await search.start();
     expect(search.end).toBe("done");
-    expect(search.found_for(workbench.problem)).toEqual([{...entry, added: expect.anything(), linkage: {}}]); // the answer of the last round
+    const all_found = search.found_for(workbench.problem); // the answer of the last round
+    expect(all_found).toEqual([{...entry, added: expect.anything(), problem: expect.anything()}]);
+    expect(search.linkage_of(all_found[0]!)).toEqual({});
     const moved = with_pose(workbench.problem, 1, {x: 7});
     expect(search.found_for(moved)).toEqual([]);
     expect(search.found_for(with_options(workbench.problem, {seed: 5}))).toHaveLength(1);

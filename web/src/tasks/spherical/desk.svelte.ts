@@ -1,5 +1,6 @@
 // What is being looked at of orientations: the engine's word on each, and the ring that is being dragged.
-import {Crashed, Refusal, Superseded} from "../../engine/client";
+import {EachOnce} from "../../questions/each_once.svelte";
+import {Question} from "../../questions/question.svelte";
 import {in_form_of, type Converted, type Orientation} from "../../orientation/orientation";
 import type {Workbench} from "../../state/workbench.svelte";
 import {
@@ -17,18 +18,23 @@ interface Ring {
   axis: number;
   angle_deg: number;
 }
-const most_known = 500;
 const first_turn_deg = 10; // of one that is added, about z
 
 export class SphericalDesk {
-  /** By the text of an orientation. */
-  private known = $state.raw<Readonly<Record<string, Converted>>>({});
-  private readonly asked: Record<string, true> = {};
+  private readonly orientations: EachOnce<PrescribedOrientation, Converted>;
+  private readonly ring_turned: Question<Ring, Converted>;
+  private readonly next: Question<PrescribedOrientation, Converted>;
   private ring: Ring | null = null;
-  private underway: Promise<void> = Promise.resolve();
-  private adding = false;
 
-  constructor(private readonly workbench: Workbench) {}
+  constructor(private readonly workbench: Workbench) {
+    this.orientations = new EachOnce(workbench, text_of, async (client, one, signal) => {
+      const text = JSON.stringify({orientation: without_rates(one)}),
+        {report} = await client.run({kind: "report", of: "orientation", text}, {signal});
+      return (report as {convert: Converted}).convert;
+    });
+    this.ring_turned = new Question(workbench.questions, {follows: true});
+    this.next = new Question(workbench.questions);
+  }
 
   get task(): SphericalTask | null {
     const {task} = this.workbench.problem;
@@ -44,7 +50,7 @@ export class SphericalDesk {
   }
   /** What the engine says of an orientation; null: nothing yet. */
   converted(prescribed: PrescribedOrientation): Converted | null {
-    return this.known[text_of(prescribed)] ?? null;
+    return this.orientations.value_of(prescribed);
   }
 
   // ---- edits ----------------------------------------------------------------------------------------------------------
@@ -68,45 +74,30 @@ export class SphericalDesk {
 
   /** One more, in the form of the last and turned a little from it: the same twice is no task. */
   async add(): Promise<void> {
-    if (this.adding) return; // a second one would be turned from the same
-    this.adding = true;
+    if (this.next.busy) return; // a second one would be turned from the same
     const last = this.task?.orientations.at(-1),
       next: PrescribedOrientation = last ? await this.beside(last) : {euler_deg: [0, 0, 0], sequence: "zyx"};
-    this.adding = false;
     this.change((all) => [...all, next]);
     this.select((this.task?.orientations.length ?? 1) - 1);
   }
   /** The same where there is no engine to turn it. */
   private async beside(orientation: PrescribedOrientation): Promise<PrescribedOrientation> {
     const text = turn_text(orientation, 2, first_turn_deg),
-      bare = without_rates(orientation);
-    const reply = await this.workbench.driver_client?.run({kind: "report", of: "orientation", text}).catch(() => null);
-    return reply ? in_form_of((reply.report as {convert: Converted}).convert, bare) : bare;
+      bare = without_rates(orientation),
+      client = this.workbench.driver_client;
+    if (!client) return bare;
+    const turned = await this.next.ask(orientation, async (signal) => {
+      const {report} = await client.run({kind: "report", of: "orientation", text}, {signal});
+      return (report as {convert: Converted}).convert;
+    });
+    return turned ? in_form_of(turned, bare) : bare;
   }
 
   // ---- the engine -----------------------------------------------------------------------------------------------------
 
   /** Asks of what is not known yet: to be called where the task is followed. */
   follow(): void {
-    const client = this.workbench.driver_client;
-    if (!client) return;
-    for (const one of this.task?.orientations ?? []) {
-      const text = text_of(one);
-      if (text in this.known || text in this.asked) continue;
-      this.asked[text] = true;
-      void client
-        .run({kind: "report", of: "orientation", text: JSON.stringify({orientation: without_rates(one)})})
-        .then(({report}) => this.learn(text, (report as {convert: Converted}).convert))
-        .catch((error: unknown) => {
-          if (error instanceof Crashed) setTimeout(() => this.follow(), 200);
-          else if (!(error instanceof Refusal) && !(error instanceof Superseded)) throw error; // the task is refused itself
-        })
-        .finally(() => delete this.asked[text]);
-    }
-  }
-  private learn(text: string, convert: Converted): void {
-    const recent = Object.entries(this.known).slice(-most_known);
-    this.known = Object.fromEntries([...recent, [text, convert]]);
+    void this.orientations.want(this.task?.orientations ?? []);
   }
 
   // ---- rings ----------------------------------------------------------------------------------------------------------
@@ -124,29 +115,29 @@ export class SphericalDesk {
     const rounded = Math.round(angle_deg * 10) / 10;
     if (rounded === this.ring.angle_deg) return;
     this.ring = {...this.ring, angle_deg: rounded};
-    this.underway = this.show_turned(this.ring);
+    void this.follow_ring(this.ring);
   }
   /** The task is what the engine says has come of the turn, in the form in which it was given. */
-  private async show_turned(ring: Ring): Promise<void> {
+  private async follow_ring(ring: Ring): Promise<void> {
     const client = this.workbench.driver_client,
       before = ring.from.orientations[ring.index];
     if (!client || !before) return;
     const text = turn_text(before, ring.axis, ring.angle_deg);
-    try {
-      const {convert} = (await client.follow("report", {of: "orientation", text})).report as {convert: Converted};
-      if (!this.ring || this.ring.from !== ring.from) return;
+    const request = async () =>
+      ((await client.follow("report", {of: "orientation", text})).report as {convert: Converted}).convert;
+    const taken = (convert: Converted) => {
+      if (this.ring?.from !== ring.from) return;
       const after = turned(before, in_form_of(convert, without_rates(before)));
-      this.learn(text_of(after), convert);
+      this.orientations.put(after, convert);
       this.workbench.drag((problem) => ({
         ...problem,
         task: {...ring.from, orientations: ring.from.orientations.toSpliced(ring.index, 1, after)} as SphericalTask,
       }));
-    } catch (error) {
-      if (!(error instanceof Superseded) && !(error instanceof Crashed) && !(error instanceof Refusal)) throw error;
-    }
+    };
+    await this.ring_turned.ask(ring, request, {taken});
   }
   async leave_ring(): Promise<void> {
-    await this.underway;
+    await this.ring_turned.underway;
     this.ring = null;
     this.workbench.end_gesture();
   }

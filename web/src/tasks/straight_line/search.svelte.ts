@@ -1,5 +1,6 @@
 // Looks over all cases for linkages that run straight over a stroke; each lies on a map of its own case.
-import type {Linkage, Ranked, TauPair} from "../../contract/messages";
+import type {Ranked} from "../../contract/messages";
+import type {LinkageOf} from "../../state/document";
 import {defaults} from "../../state/defaults";
 import {engine_text, with_options, with_task, type Problem} from "../../state/problem";
 import {without_unmet} from "../kinds";
@@ -10,13 +11,11 @@ import {line_task} from "./line_handles";
 import type {OwnMap} from "./replies";
 import type {StraightLineTask} from "./task";
 
-export interface Found extends OwnMap {
-  tau: TauPair;
+export interface Found extends OwnMap, LinkageOf {
   usable: number;
   share: number;
   min_transmission_angle_deg: number;
   longest: number;
-  linkage: Linkage | null;
 }
 
 const first_share = 0.1; // of the effort, for a first list
@@ -34,8 +33,25 @@ export function sought_again(problem: Problem, sought: StraightLineTask): Proble
   });
 }
 
-export class LineSearch extends RoundSearch {
-  private found = $state.raw<readonly Found[]>([]);
+function found_in(entries: readonly Ranked[], problem: Problem, sought: StraightLineTask): Found[] {
+  return entries.flatMap(({straight_line: own, tau, usable_strip, stroke_over_longest, ...entry}) => {
+    const {longest, min_transmission_angle_deg} = entry;
+    if (!own || longest === null) return [];
+    return [
+      {
+        ...own,
+        problem: problem_of(problem, sought, own),
+        tau,
+        usable: usable_strip ?? 0,
+        share: stroke_over_longest ?? 0,
+        min_transmission_angle_deg,
+        longest,
+      },
+    ];
+  });
+}
+
+export class LineSearch extends RoundSearch<Found> {
   /** What is, or was, wanted. */
   sought = $state.raw<StraightLineTask | null>(null);
 
@@ -43,15 +59,13 @@ export class LineSearch extends RoundSearch {
     const {problem} = this.workbench,
       task = line_task(problem);
     if (this.running || task?.case !== "search") return;
-    this.found = [];
     this.sought = task;
     const effort = problem.options?.effort ?? defaults.options.effort;
     const round = (tries: number) => ({problem: engine_text(with_options(problem, {effort: tries})), tries});
     await this.look({
       rounds: [round(Math.max(Math.round(first_share * effort), 1)), round(effort)],
       most: problem.options?.best ?? defaults.options.best,
-      take: (entries) => this.take_round(entries),
-      fetch: () => this.fetch_linkages(problem, task),
+      read: (entries) => found_in(entries, problem, task),
       is_wanted: () => this.is_for(this.workbench.problem),
       refused: "straight.refused",
     });
@@ -62,35 +76,6 @@ export class LineSearch extends RoundSearch {
   }
   found_for(problem: Problem): readonly Found[] {
     return this.is_for(problem) ? this.found : [];
-  }
-  private take_round(entries: readonly Ranked[]): void {
-    const known = this.found;
-    this.found = entries.flatMap(({straight_line: own, tau, usable_strip, stroke_over_longest, ...entry}) => {
-      if (!own || entry.longest === null) return [];
-      const before = known.find((one) => same_value(one.task, own.task) && same_value(one.tau, tau));
-      return [
-        {
-          ...own,
-          tau,
-          usable: usable_strip ?? 0,
-          share: stroke_over_longest ?? 0,
-          min_transmission_angle_deg: entry.min_transmission_angle_deg,
-          longest: entry.longest,
-          linkage: before?.linkage ?? null,
-        },
-      ];
-    });
-  }
-  /** For their pictures: by the engine that follows the pointer, in turn with what it follows. */
-  private async fetch_linkages(problem: Problem, sought: StraightLineTask): Promise<void> {
-    for (const one of this.found.filter(({linkage}) => !linkage)) {
-      if (!this.found.includes(one)) continue; // of a round before
-      const asked = engine_text(problem_of(problem, sought, one));
-      const reply = await this.workbench.driver_client
-        ?.run({kind: "linkage", problem: asked, tau: one.tau})
-        .catch(() => null);
-      if (reply) this.found = this.found.map((other) => (other === one ? {...one, linkage: reply.linkage} : other));
-    }
   }
 
   /** Opens the map of its case with it in hand, one step. */
