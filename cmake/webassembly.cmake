@@ -18,9 +18,8 @@ endforeach()
 target_compile_definitions(fmt::fmt INTERFACE FMT_HEADER_ONLY)
 
 # Exceptions are WebAssembly's own; the paths of this machine stay out of the module. Emscripten's clang 14 makes wrong
-# code of six_bar_walk.cpp when it packs neighbouring statements into vectors (-fslp-vectorize; loops are not concerned),
-# and of attitude_reply.cpp with -Os or -Oz when values that it takes for dead give their place on the stack to others.
-add_compile_options(-msimd128 -fno-slp-vectorize "SHELL:-mllvm -no-stack-coloring" -fwasm-exceptions "-ffile-prefix-map=${PROJECT_SOURCE_DIR}=."
+# code of six_bar_walk.cpp when it packs neighbouring statements into vectors (-fslp-vectorize); loops are not concerned.
+add_compile_options(-msimd128 -fno-slp-vectorize -fwasm-exceptions "-ffile-prefix-map=${PROJECT_SOURCE_DIR}=."
                     "-ffile-prefix-map=${PROJECT_BINARY_DIR}=build")
 add_link_options(-fwasm-exceptions)
 
@@ -35,8 +34,11 @@ list(APPEND linkwright_not_in_webassembly src/files/outline/drawing_text.cpp)
 file(GLOB linkwright_sweep_sources RELATIVE "${PROJECT_SOURCE_DIR}" src/sweep/*.cpp)
 list(APPEND linkwright_not_in_webassembly ${linkwright_sweep_sources})
 
-# Sources of a target, in a folder and named like that, are compiled for their size: they are soon run, and a visit waits
-# for all of them.
+# For its size: what is soon run, and a visit waits for all of it. Values that clang 14 takes for dead must not give their
+# place on the stack to others: with -Os and -Oz it made wrong code of attitude_reply.cpp so.
+set(linkwright_small -Oz "SHELL:-mllvm -no-stack-coloring")
+
+# Sources of a target, in a folder and named like that, are compiled so.
 function(linkwright_make_small target folder named)
   get_target_property(sources ${target} SOURCES)
   set(small ${sources})
@@ -45,7 +47,7 @@ function(linkwright_make_small target folder named)
   set_target_properties(${target} PROPERTIES SOURCES "${sources}")
   add_library(${target}_${folder} OBJECT ${small})
   linkwright_target_options(${target}_${folder})
-  target_compile_options(${target}_${folder} PRIVATE -Oz)
+  target_compile_options(${target}_${folder} PRIVATE ${linkwright_small})
   foreach(property IN ITEMS INCLUDE_DIRECTORIES COMPILE_DEFINITIONS)
     set_target_properties(${target}_${folder} PROPERTIES ${property} "$<TARGET_PROPERTY:${target},${property}>")
   endforeach()
