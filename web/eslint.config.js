@@ -15,6 +15,26 @@ function layer(files, regex, message) {
   };
 }
 
+// What Svelte tears down reads the state as it was before: to act on it, let that be over (queueMicrotask).
+const torn_down =
+    ':matches(CallExpression[callee.name="$effect"] ReturnStatement > ArrowFunctionExpression, CallExpression[callee.name="$effect"] > ArrowFunctionExpression > ArrowFunctionExpression, CallExpression[callee.name="onDestroy"] > ArrowFunctionExpression)',
+  at_once = [
+    " >",
+    " > BlockStatement > ExpressionStatement >",
+    " > BlockStatement > IfStatement > ExpressionStatement >",
+  ],
+  acts = [
+    'CallExpression[callee.object.name="workbench"]',
+    'AssignmentExpression[left.object.name="workbench"]',
+    'AssignmentExpression[left.object.object.name="workbench"]',
+  ];
+const no_act_in_teardown = at_once.flatMap((path) =>
+  acts.map((act) => ({
+    selector: `${torn_down}${path} ${act}`,
+    message: "What is torn down sees the state as it was: act afterwards (queueMicrotask).",
+  })),
+);
+
 export default tseslint.config(
   {ignores: ["node_modules/", "public/", "src/engine/generated/", "npm/consumer/"]},
   js.configs.recommended,
@@ -23,6 +43,7 @@ export default tseslint.config(
   {
     rules: {
       "@typescript-eslint/no-unused-vars": ["error", {varsIgnorePattern: "^_", argsIgnorePattern: "^_"}],
+      "no-restricted-syntax": ["error", ...no_act_in_teardown],
       "no-control-regex": "off", // files are told apart by their first bytes
       "svelte/no-unused-svelte-ignore": "off", // it does not see the warnings on accessibility that svelte-check has
     },
