@@ -61,13 +61,15 @@ struct Replied : Travelled {
 
 /// Heights of a layer over the ground's lower face; about a centre radii.
 std::pair<double, double> layer_of(const Machine& made, const Part& part) {
-  const auto& [linkage, sizes, layers, parts] = made;
+  const auto& linkage = made.linkage;
+  const auto& sizes = made.sizes;
+  const auto& layers = made.layers;
   const auto top = *std::max_element(layers.layer.begin(), layers.layer.end());
   const auto low = [&](int layer) {
     return linkage.spherical ? sizes.radius - sizes.thickness - (top - layer) * sizes.pitch() : layer * sizes.pitch();
   };
   int first = layers.layer[static_cast<std::size_t>(part.body)], last = first;
-  if (const auto hinge = static_cast<std::size_t>(&part - parts.data()); hinge >= linkage.bodies.size())
+  if (const auto hinge = static_cast<std::size_t>(&part - made.parts.data()); hinge >= linkage.bodies.size())
     std::tie(first, last) =
         std::minmax({layers.layer[static_cast<std::size_t>(linkage.hinges[hinge - linkage.bodies.size()].bodies[0])],
                      layers.layer[static_cast<std::size_t>(linkage.hinges[hinge - linkage.bodies.size()].bodies[1])]});

@@ -132,8 +132,15 @@ export class SolidScene {
 
   // ---- the eye ------------------------------------------------------------------------------------------------
 
-  /** Everything in the window; at first seen from a little above and to the left of straight ahead. */
-  fit(towards = towards_eye): void {
+  /** At first from a little above and to the left of straight ahead; what lies about a centre from its own side. */
+  private get ahead(): Vector3 {
+    if (!this.model?.is_about_a_centre) return towards_eye;
+    const side = this.corners.reduce((sum, corner) => sum.add(corner), new Vector3()).normalize(),
+      towards = side.addScaledVector(towards_eye, 0.5).normalize();
+    return Math.abs(towards.dot(this.camera.up)) < 0.9 ? towards : towards_eye; // straight above there is no left
+  }
+  /** Everything in the window. */
+  fit(towards = this.ahead): void {
     const {center, radius} = this.reached,
       right = new Vector3().crossVectors(this.camera.up, towards).normalize(),
       up = new Vector3().crossVectors(towards, right),
