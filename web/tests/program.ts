@@ -6,23 +6,28 @@ import {dirname, join, resolve} from "node:path";
 import {fileURLToPath} from "node:url";
 
 export const root = resolve(dirname(fileURLToPath(import.meta.url)), "../..");
-const program = process.env.LINKWRIGHT_CLI
+export const program = process.env.LINKWRIGHT_CLI
   ? resolve(root, "web", process.env.LINKWRIGHT_CLI)
   : join(root, "build/release/bin/linkwright");
 export const examples = join(root, "examples");
 export const bad_problems = join(root, "data/bad_problems");
 
-/** Runs `linkwright` with a file made of `content` as its first argument; its standard output. */
+/** Runs `linkwright`; its standard output. */
+export function run(...args: string[]): string {
+  return execFileSync(program, args, {
+    encoding: "utf8",
+    maxBuffer: 1 << 28,
+    timeout: 600_000,
+    stdio: ["ignore", "pipe", "pipe"],
+  });
+}
+/** Runs it with a file made of `content` as its first argument; its standard output. */
 export function run_program(command: string, content: unknown, ...flags: string[]): string {
   const folder = mkdtempSync(join(tmpdir(), "linkwright-"));
   try {
     const file = join(folder, "input.json");
     writeFileSync(file, typeof content === "string" ? content : JSON.stringify(content));
-    return execFileSync(program, [...command.split(" "), file, ...flags], {
-      encoding: "utf8",
-      maxBuffer: 1 << 28,
-      timeout: 600_000,
-    });
+    return run(...command.split(" "), file, ...flags);
   } finally {
     rmSync(folder, {recursive: true});
   }

@@ -4,10 +4,9 @@ import {existsSync, mkdtempSync, rmSync, writeFileSync} from "node:fs";
 import {tmpdir} from "node:os";
 import {join} from "node:path";
 import {fileURLToPath} from "node:url";
-import {beforeAll, describe, expect, it} from "vitest";
-import {load_module} from "../../engine/node";
-import {whole, type Kind, type MapAnswer, type Replies, type Requests, type TauPair} from "../../contract/messages";
-import {Engine} from "../../engine/serve";
+import {describe, expect, it} from "vitest";
+import {whole, type MapAnswer, type TauPair} from "../../contract/messages";
+import {ask} from "../../../tests/asked_engine";
 import {examples} from "../../gallery/gallery";
 import {row_state} from "../../state/drive";
 import {engine_text, with_task, type Problem} from "../../state/problem";
@@ -19,15 +18,6 @@ import {counted, driven_place, place_at, profile_plot, speed_plot} from "./profi
 import type {StraightLineTask} from "./task";
 
 const mapped = examples.filter(({name}) => name.startsWith("straight_") && name !== "straight_search");
-let server: Engine;
-beforeAll(async () => {
-  server = new Engine(await load_module());
-});
-function ask<K extends Kind>(kind: K, content: Requests[K]): Replies[K] {
-  const {message} = server.serve({id: 1, kind, ...content} as never);
-  if ("refused" in message) throw new Error(JSON.stringify(message.refused));
-  return (message as unknown as {reply: Replies[K]}).reply;
-}
 const explore = (problem: Problem, samples = 60) =>
   ask("explore", {
     problem: engine_text(problem),
