@@ -35,6 +35,14 @@ const no_act_in_teardown = at_once.flatMap((path) =>
   })),
 );
 
+// A type of ours that is called as one of the browser's or the language's is taken for it where its import is missing.
+const shadowed =
+    "Array|Blob|Document|Element|Event|File|History|Image|Location|Map|Node|Number|Object|Option|Plugin|Range|Request|Response|Selection|Set|Storage|String|Symbol|Text|Window",
+  no_shadow = ["TSInterfaceDeclaration", "TSTypeAliasDeclaration", "ClassDeclaration"].map((kind) => ({
+    selector: `${kind}[id.name=/^(${shadowed})$/]`,
+    message: "A global has this name.",
+  }));
+
 export default tseslint.config(
   {ignores: ["node_modules/", "public/", "src/engine/generated/", "npm/consumer/"]},
   js.configs.recommended,
@@ -43,7 +51,7 @@ export default tseslint.config(
   {
     rules: {
       "@typescript-eslint/no-unused-vars": ["error", {varsIgnorePattern: "^_", argsIgnorePattern: "^_"}],
-      "no-restricted-syntax": ["error", ...no_act_in_teardown],
+      "no-restricted-syntax": ["error", ...no_act_in_teardown, ...no_shadow],
       "no-control-regex": "off", // files are told apart by their first bytes
       "svelte/no-unused-svelte-ignore": "off", // it does not see the warnings on accessibility that svelte-check has
     },
@@ -77,7 +85,7 @@ export default tseslint.config(
   layer(["src/questions/**"], "^\\.\\./(?!engine/)", "Questions know of nothing but the engine's client."),
   layer(
     ["src/fields/**"],
-    "/(state/(?!task|shape)|tasks|drawing|region|shell/(?!single_keys))",
+    "/(state/(?!task|shape)|kinds|drawing|region|shell/(?!single_keys))",
     "A field hears of the page by edited.ts.",
   ),
   layer(

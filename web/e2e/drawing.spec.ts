@@ -15,7 +15,7 @@ import {
   until_mapped,
   type Pixel,
 } from "./support";
-import type {MotionTask} from "../src/tasks/motion/task";
+import type {MotionTask} from "../src/kinds/motion/task";
 
 /** Map, linkage and the document are those of the same task, and the finest map is painted. */
 async function until_at_rest(page: Page): Promise<void> {

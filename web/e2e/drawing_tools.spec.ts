@@ -1,6 +1,6 @@
 // What the drawing has beside positions and pivots: outlines, traced points, pictures; and handles by keys.
 import type {Locator, Page} from "@playwright/test";
-import type {MotionTask} from "../src/tasks/motion/task";
+import type {MotionTask} from "../src/kinds/motion/task";
 import {drag, expect, expect_accessible, middle_of, open_workbench, read_state, test, type Pixel} from "./support";
 
 const handle = (page: Page, id: string): Locator => page.getByTestId(`drawing.${id}`);

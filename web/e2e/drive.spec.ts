@@ -17,7 +17,7 @@ import {
   type_into,
   until_settled,
 } from "./support";
-import type {MotionTask} from "../src/tasks/motion/task";
+import type {MotionTask} from "../src/kinds/motion/task";
 
 /** Opens the example and waits for the picked linkage and its drive. */
 async function open_with_drive(page: Page): Promise<void> {

@@ -13,7 +13,7 @@ import {
   toasts,
   until_ready,
 } from "./support";
-import type {MotionTask} from "../src/tasks/motion/task";
+import type {MotionTask} from "../src/kinds/motion/task";
 
 // ---- 15 ---------------------------------------------------------------------------------------------------------
 

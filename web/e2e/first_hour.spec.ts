@@ -16,7 +16,7 @@ import {
   until_mapped,
   until_settled,
 } from "./support";
-import type {MotionTask} from "../src/tasks/motion/task";
+import type {MotionTask} from "../src/kinds/motion/task";
 
 const hatch = "0\t0\t0\n60\t35\t22\n160\t120\t58\n190\t240\t95";
 async function paste(page: Page, text: string): Promise<void> {

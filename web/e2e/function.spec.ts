@@ -1,5 +1,5 @@
 // Function generation: the sine generator from the gallery, its ribbon, its error, its dials.
-import type {FunctionTask} from "../src/tasks/function/task";
+import type {FunctionTask} from "../src/kinds/function/task";
 import {
   drag,
   example,

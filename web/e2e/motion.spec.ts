@@ -1,7 +1,7 @@
 // What is given beside three positions, by hand; three and five positions on a phone.
 import type {Page} from "@playwright/test";
 import type {Linkage, Point} from "../src/contract/messages";
-import type {Given, MotionTask} from "../src/tasks/motion/task";
+import type {Given, MotionTask} from "../src/kinds/motion/task";
 import {
   drag,
   example,

@@ -3,7 +3,7 @@ import type {Page} from "@playwright/test";
 import type {Linkage, TauPair} from "../src/contract/messages";
 import {place_of} from "../src/engine/axis";
 import {expect, keep_screenshot, map_pixel, open_workbench, read_state, test, until_settled} from "./support";
-import type {MotionTask} from "../src/tasks/motion/task";
+import type {MotionTask} from "../src/kinds/motion/task";
 
 async function places(page: Page, tau: TauPair): Promise<TauPair> {
   const axis = await read_state(page, (workbench) => workbench.task!.axes.input);

@@ -21,7 +21,7 @@ import {
   until_ready,
   until_settled,
 } from "./support";
-import type {MotionTask} from "../src/tasks/motion/task";
+import type {MotionTask} from "../src/kinds/motion/task";
 
 // ---- 1 ----------------------------------------------------------------------------------------------------------
 

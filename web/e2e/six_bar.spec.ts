@@ -1,4 +1,4 @@
-import type {SixBarTask} from "../src/tasks/six_bar/task";
+import type {SixBarTask} from "../src/kinds/six_bar/task";
 import {
   drag,
   expect,

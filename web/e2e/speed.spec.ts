@@ -18,7 +18,7 @@ import {
   until_ready,
   until_settled,
 } from "./support";
-import type {MotionTask} from "../src/tasks/motion/task";
+import type {MotionTask} from "../src/kinds/motion/task";
 
 test.use({fresh: true}); // what is timed is what a visitor waits for
 

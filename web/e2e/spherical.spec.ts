@@ -1,7 +1,7 @@
 // The sphere: a newcomer folds a wing, by hand and on the map, and takes the links away to print them.
 import type {Page} from "@playwright/test";
 import {readFileSync} from "node:fs";
-import type {SphericalTask} from "../src/tasks/spherical/task";
+import type {SphericalTask} from "../src/kinds/spherical/task";
 import {
   drag,
   expect,

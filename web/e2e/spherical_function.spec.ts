@@ -1,6 +1,6 @@
 // A function on the sphere: in place of a universal joint, from the gallery to the files, and from the plane and back.
 import type {Page} from "@playwright/test";
-import type {SphericalFunctionTask} from "../src/tasks/spherical_function/task";
+import type {SphericalFunctionTask} from "../src/kinds/spherical_function/task";
 import {
   drag,
   example,

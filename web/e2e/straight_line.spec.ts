@@ -1,6 +1,6 @@
 // Points that run straight, on the page: examples, the line, the cases, layers, colours, links, phone.
 import type {Page} from "@playwright/test";
-import type {StraightLineTask} from "../src/tasks/straight_line/task";
+import type {StraightLineTask} from "../src/kinds/straight_line/task";
 import {
   drag,
   example,

@@ -6,7 +6,7 @@ import {join} from "node:path";
 import type {TauPair} from "../src/contract/messages";
 import type {Pose} from "../src/state/task";
 import type {Workbench} from "../src/state/workbench.svelte";
-import type {MotionTask} from "../src/tasks/motion/task";
+import type {MotionTask} from "../src/kinds/motion/task";
 import {root} from "../tests/program";
 
 export * from "../tests/program";

@@ -51,7 +51,7 @@ describe("imports", () => {
       "shell/kept_view.svelte.ts",
       "shell/start.ts",
       "state/context.ts",
-      "tasks/views.ts",
+      "kinds/view_dispatch.ts",
       "texts/texts.svelte.ts",
     ]);
     expect([...imports.values()].flat().length).toBeGreaterThan(1000);
@@ -70,7 +70,7 @@ describe("the frame and the kinds", () => {
   it.each(others)("reach none from %s but through the registry, or to say what is made", (file) => {
     const reached = imports.get(file)!.filter((to) => folders.some((folder) => to.startsWith(folder)));
     const allowed =
-      file === "analyses/registry.ts" ? /\/index\.ts$/ : /^tasks\/.*\/kind\.ts$/.test(file) ? /\/making\.ts$/ : /^$/;
+      file === "analyses/registry.ts" ? /\/index\.ts$/ : /^kinds\/.*\/kind\.ts$/.test(file) ? /\/making\.ts$/ : /^$/;
     expect(reached.filter((to) => !allowed.test(to))).toEqual([]);
   });
 });
@@ -91,13 +91,13 @@ describe("requests", () => {
 });
 
 describe("the frame", () => {
-  const kinds = readdirSync(join(root, "tasks"), {withFileTypes: true})
+  const kinds = readdirSync(join(root, "kinds"), {withFileTypes: true})
     .filter((entry) => entry.isDirectory())
     .map(({name}) => name);
   // What the engine says of all of them: in its own words, and as the page still takes it.
   const contract = ["contract/problem.ts", "contract/result.ts", "contract/replies.ts", "engine/adapter.ts"];
   const frame = files.filter(
-    (file) => !kinds.some((kind) => file.startsWith(`tasks/${kind}/`)) && !contract.includes(file),
+    (file) => !kinds.some((kind) => file.startsWith(`kinds/${kind}/`)) && !contract.includes(file),
   );
 
   it("has kinds of tasks to know nothing of", () =>
@@ -118,13 +118,13 @@ describe("the frame", () => {
       .filter((line) => {
         const code = line.replace(/\/\/.*|^\s*(\*|\/\*\*).*/, "");
         return kinds.some((kind) =>
-          new RegExp(`["'\`]${kind}["'\`.]|\\.${kind}\\b|tasks/${kind}/|\\b${kind}_(kind|view)\\b`).test(code),
+          new RegExp(`["'\`]${kind}["'\`.]|\\.${kind}\\b|kinds/${kind}/|\\b${kind}_(kind|view)\\b`).test(code),
         );
       });
-    expect(file === "tasks/registry.ts" ? [] : named).toEqual([]);
+    expect(file === "kinds/registry.ts" ? [] : named).toEqual([]);
   });
   it.each(frame)("reaches none from %s but through the registry", (file) => {
-    const reached = imports.get(file)!.filter((to) => kinds.some((kind) => to.startsWith(`tasks/${kind}/`)));
-    expect(reached).toEqual(file === "tasks/registry.ts" ? kinds.map((kind) => `tasks/${kind}/index.ts`) : []);
+    const reached = imports.get(file)!.filter((to) => kinds.some((kind) => to.startsWith(`kinds/${kind}/`)));
+    expect(reached).toEqual(file === "kinds/registry.ts" ? kinds.map((kind) => `kinds/${kind}/index.ts`) : []);
   });
 });

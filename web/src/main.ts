@@ -5,7 +5,7 @@ import "./app.css";
 import {read_view} from "./shell/kept_view.svelte";
 import {first_workbench} from "./shell/start";
 import {context_of} from "./state/context";
-import {load_view} from "./tasks/views";
+import {load_view} from "./kinds/view_dispatch";
 import {load_texts} from "./texts/texts.svelte";
 
 async function begin(): Promise<void> {

@@ -4,7 +4,7 @@ import {join} from "node:path";
 import {describe, expect, test} from "vitest";
 import {linkage_types, whole, type Linkage, type MapAnswer, type Property} from "../src/contract/messages";
 import {sampled_cells} from "../src/region/sampled";
-import {property_descriptions} from "../src/tasks/kinds";
+import {property_descriptions} from "../src/kinds/kind_dispatch";
 import {ask, reply, explored, coarse} from "./asked_engine";
 import {samples_of, solved, scratch} from "./compared";
 import {root, run} from "./program";

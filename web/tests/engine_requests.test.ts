@@ -10,7 +10,7 @@ import {halo_reach, roomy_squares} from "../src/state/halo_follower";
 import {engine_text} from "../src/state/problem";
 import {read_problem} from "../src/state/problem_shape";
 import {poses_of} from "../src/state/task";
-import {round_of, rounds_of} from "../src/tasks/six_bar/search.svelte";
+import {round_of, rounds_of} from "../src/kinds/six_bar/search.svelte";
 import {ask, explored, coarse} from "./asked_engine";
 import {scratch, tailgate} from "./compared";
 import {root, run} from "./program";

@@ -22,10 +22,10 @@ beforeAll(async () => {
   });
   vi.doMock("../src/shell/start", () => ({begin: () => () => {}}));
   vi.doMock("../src/region/RegionCard.svelte", () => import("./noise/Map.svelte")); // it paints
-  await (await import("../src/tasks/views")).load_views();
+  await (await import("../src/kinds/view_dispatch")).load_views();
   const {context_of} = await import("../src/state/context"),
     {Workbench} = await import("../src/state/workbench.svelte"),
-    {new_problem} = await import("../src/tasks/motion/kind"),
+    {new_problem} = await import("../src/kinds/motion/kind"),
     {stored_start} = await import("../src/engine/stored"),
     {default: App} = await import("../src/App.svelte");
   problem = new_problem();
@@ -44,8 +44,8 @@ afterAll(() => {
   vi.resetModules();
 });
 async function give(given: Noise | null): Promise<void> {
-  const {with_analysis} = await import("../src/tasks/kinds"),
-    {load_given} = await import("../src/analyses/views");
+  const {with_analysis} = await import("../src/kinds/kind_dispatch"),
+    {load_given} = await import("../src/analyses/view_dispatch");
   workbench.edit((before) => with_analysis(before, noise, given));
   await load_given(workbench.problem);
   show();
@@ -54,7 +54,7 @@ async function give(given: Noise | null): Promise<void> {
 describe("an analysis of its own", () => {
   it("has its block read, and lost by a task of which it says nothing", async () => {
     const {read_problem} = await import("../src/state/problem_shape"),
-      {task_kinds, with_other_task} = await import("../src/tasks/kinds");
+      {task_kinds, with_other_task} = await import("../src/kinds/kind_dispatch");
     const noisy = {...problem, noise: {rpm: 90}};
     expect(read_problem(JSON.parse(JSON.stringify(noisy)))).toEqual(noisy);
     expect(read_problem({...noisy, noise: {rpm: "loud"}})).toEqual(problem);
@@ -62,7 +62,7 @@ describe("an analysis of its own", () => {
     expect(with_other_task(noisy, turned)).not.toHaveProperty("noise");
   });
   it("is what can be required, coloured by and the best by, once it is given", async () => {
-    const {objectives_of, properties_of, with_analysis} = await import("../src/tasks/kinds");
+    const {objectives_of, properties_of, with_analysis} = await import("../src/kinds/kind_dispatch");
     const noisy = {...problem, noise: {rpm: 90}};
     expect([properties_of(problem), objectives_of(problem)].flat()).not.toContain("noise_db");
     expect(properties_of(noisy).at(-1)).toBe("noise_db");
@@ -80,7 +80,7 @@ describe("an analysis of its own", () => {
     await give({rpm: 0});
     const given = page();
     for (const part of ["noise.block", "noise.tab"]) expect(given).toContain(part);
-    const {lines_of} = await import("../src/analyses/views");
+    const {lines_of} = await import("../src/analyses/view_dispatch");
     expect(lines_of(workbench.problem, workbench.hand!, "mm")).toEqual([
       {text: `a loud ${workbench.hand!.type}`, but: null},
     ]);
@@ -88,7 +88,7 @@ describe("an analysis of its own", () => {
   it("stands below the map, and the numbers where it is taken away", async () => {
     workbench.below = "noise";
     expect(workbench.below_map).toBe("noise");
-    const {given_cards} = await import("../src/analyses/views");
+    const {given_cards} = await import("../src/analyses/view_dispatch");
     expect(part_of_page((await given_cards(workbench.problem).noise!()) as {default: Component})).toContain(
       "noise.card",
     );
@@ -99,7 +99,7 @@ describe("an analysis of its own", () => {
   it("is printed, and in the page's own picture of the linkage", async () => {
     await give({rpm: 90});
     expect(part_of_page(await import("../src/exports/PrintSheet.svelte"))).toContain("noise of ");
-    const {given_views} = await import("../src/analyses/views");
+    const {given_views} = await import("../src/analyses/view_dispatch");
     expect(given_views(workbench.problem).some((view) => view.may_be_in_picture?.(workbench.problem))).toBe(true);
   });
 });

@@ -15,12 +15,12 @@ const problem = new_problem(),
 /** The page as it is with one more line in its registry. */
 beforeAll(async () => {
   vi.resetModules();
-  vi.doMock("../src/tasks/registry", async (original) => {
-    const {task_modules} = await original<typeof import("../src/tasks/registry")>();
+  vi.doMock("../src/kinds/registry", async (original) => {
+    const {task_modules} = await original<typeof import("../src/kinds/registry")>();
     return {task_modules: [...task_modules, (await import("./swing/index")).swing]};
   });
   vi.doMock("../src/shell/start", () => ({begin: () => () => {}}));
-  await (await import("../src/tasks/views")).load_views();
+  await (await import("../src/kinds/view_dispatch")).load_views();
   const {context_of} = await import("../src/state/context"),
     {Workbench} = await import("../src/state/workbench.svelte"),
     {default: App} = await import("../src/App.svelte");
@@ -30,7 +30,7 @@ beforeAll(async () => {
   page = () => part_of_page({default: App});
 });
 afterAll(() => {
-  vi.doUnmock("../src/tasks/registry");
+  vi.doUnmock("../src/kinds/registry");
   vi.doUnmock("../src/shell/start");
   vi.resetModules();
 });
@@ -68,7 +68,7 @@ describe("a kind of its own", () => {
     expect(pin!.pivots).toEqual({hinge: [10, 20]});
     expect(page()).toContain(`pin.row.${pin!.name}`);
     const {read_problem} = await import("../src/state/problem_shape"),
-      {task_view} = await import("../src/tasks/views");
+      {task_view} = await import("../src/kinds/view_dispatch");
     const [read] = read_problem(JSON.parse(JSON.stringify(workbench.whole_problem)))!.view!.pins!;
     expect(read).toEqual(JSON.parse(JSON.stringify(pin)));
     expect(task_view(read!.task).mechanism.ghost(read!.pivots, [], 0).joints).toHaveLength(1);
@@ -93,7 +93,7 @@ describe("a kind of its own", () => {
   it("is taken away as the engine writes it, and as a film", async () => {
     const {made_file, targets} = await import("../src/exports/take_away"),
       {picture_of} = await import("../src/exports/picture"),
-      {task_view} = await import("../src/tasks/views");
+      {task_view} = await import("../src/kinds/view_dispatch");
     const asked: Omit<RequestMessage, "id">[] = [];
     const run = async (job: Omit<RequestMessage, "id">) => (asked.push(job), {text: "<svg/>", extension: "svg"});
     workbench.driver_client = {run} as unknown as NonNullable<Workbench["driver_client"]>;

@@ -3,7 +3,7 @@ import {afterAll, afterEach, beforeAll, describe, expect, it, vi} from "vitest";
 import type {Workbench} from "../src/state/workbench.svelte";
 import {first_example} from "../src/gallery/gallery";
 import {poses_of} from "../src/state/task";
-import {with_poses} from "../src/tasks/kinds";
+import {with_poses} from "../src/kinds/kind_dispatch";
 import {t} from "../src/texts/texts.svelte";
 
 let workbench: Workbench;
@@ -17,7 +17,7 @@ beforeAll(async () => {
   vi.stubGlobal("document", {documentElement: {}});
   vi.stubGlobal("getComputedStyle", () => ({getPropertyValue: () => "#000000"}));
   vi.doMock("../src/shell/start", () => ({begin: () => () => {}}));
-  await (await import("../src/tasks/views")).load_views();
+  await (await import("../src/kinds/view_dispatch")).load_views();
   await (await import("../src/texts/texts.svelte")).load_texts();
   const {context_of} = await import("../src/state/context"),
     {Workbench} = await import("../src/state/workbench.svelte"),

@@ -1,8 +1,8 @@
 // What an analysis of linkages brings: a block of the problem, and what can be asked of linkages once that is given. The
-// frame asks it through analyses.ts, its views through views.ts, and knows none by name.
+// frame asks it through analysis_dispatch.ts, its views through view_dispatch.ts, and knows none by name.
 import type {Property, RequirementKey} from "../contract/messages";
 import type {Objective} from "../state/problem";
-import type {ObjectiveDescription, PropertyDescription, RequirementDescription, TaskKind} from "../tasks/kind";
+import type {ObjectiveDescription, PropertyDescription, RequirementDescription, TaskKind} from "../kinds/kind";
 import type {TermName} from "../terms/pictures";
 import type {TextKey} from "../texts/texts.svelte";
 

@@ -21,10 +21,10 @@ test("an analysis of its own is drawn with the linkage, and its legend beside", 
     {stored_start} = await import("../engine/stored"),
     {context_of} = await import("../state/context"),
     {Workbench} = await import("../state/workbench.svelte"),
-    {new_problem} = await import("../tasks/motion/kind"),
-    {with_analysis} = await import("../tasks/kinds"),
-    {load_view} = await import("../tasks/views"),
-    {load_given} = await import("./views");
+    {new_problem} = await import("../kinds/motion/kind"),
+    {with_analysis} = await import("../kinds/kind_dispatch"),
+    {load_view} = await import("../kinds/view_dispatch"),
+    {load_given} = await import("./view_dispatch");
   const workbench = new Workbench(new_problem()),
     {task, map, linkage} = stored_start();
   await load_view(workbench.problem.task);

@@ -55,7 +55,7 @@ export type RequirementKey = Exclude<keyof Requirements, "respect_direction">;
 export const degenerate = linkage_types.indexOf("degenerate");
 
 /** What a colour of the map can stand for, beside the type: values as f32, 0 where not defined, never NaN. Kinds of tasks
- *  add theirs (tasks/<kind>/replies.ts). */
+ *  add theirs (kinds/<kind>/replies.ts). */
 export interface Properties {
   min_transmission_angle_deg: number;
   min_transmission_angle_full_turn_deg: number;
@@ -95,17 +95,17 @@ export interface TaskAnswer extends Omit<TaskReply, "curves"> {
 // ---- the map --------------------------------------------------------------------------------------------------
 
 /** Part of the region in places of the two axes. */
-export interface Window {
+export interface MapWindow {
   input: readonly [number, number];
   output: readonly [number, number];
 }
-export const whole: Window = {input: [0, 1], output: [0, 1]};
+export const whole: MapWindow = {input: [0, 1], output: [0, 1]};
 
 export interface MapAnswer {
   samples: number; // as asked; an axis of a few places has one row or column to each
   rows: number;
   columns: number;
-  window: Window;
+  window: MapWindow;
   property: Property;
   /** τ of rows (input, input link) and columns, in display order: row 0 is place window.input[0]. */
   input_tau: Float64Array;
@@ -225,7 +225,7 @@ export interface Requests {
   explore: {
     problem: string;
     samples: number;
-    window: Window;
+    window: MapWindow;
     property: Property;
     order: "nearest" | "fresh" | number;
     picked?: Picked | null;

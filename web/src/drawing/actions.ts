@@ -3,7 +3,7 @@ import type {Point} from "../contract/messages";
 import {coordinate_of, with_side} from "../engine/axis";
 import {body_point, outline_of, placed, round_step, with_view} from "../state/problem";
 import {poses_of, type Pose} from "../state/task";
-import {bend_of, travel_of, with_bend, with_travel} from "../task/travel";
+import {bend_of, travel_of, with_bend, with_travel} from "../task_panel/travel";
 import {point_at, spot_of_tau, type Spot} from "./curve_samples";
 import {nudged_box, with_box} from "./drags/box_drags";
 import type {Bench} from "./bench";
@@ -11,7 +11,7 @@ import {add_corner, corner_at, remove_corner, with_outline, without_corner} from
 import {inside, target_id, type Target} from "./handles";
 import {multiple, wrapped_deg} from "./snapping";
 import {stepped} from "./sliding";
-import {with_poses} from "../tasks/kinds";
+import {with_poses} from "../kinds/kind_dispatch";
 
 export function focus_handle(svg: SVGSVGElement, target: Target): void {
   svg.querySelector<SVGElement>(`[data-testid="drawing.${target_id(target)}"]`)?.focus({preventScroll: true});

@@ -3,7 +3,7 @@ import type {Box, Linkage, Point, Side} from "../contract/messages";
 import type {End, Ends} from "../figure/figure";
 import {placed, type Problem} from "../state/problem";
 import {poses_of, type Pose} from "../state/task";
-import {bend_of, travel_of} from "../task/travel";
+import {bend_of, travel_of} from "../task_panel/travel";
 import type {Spot} from "./curve_samples";
 import type {Drag} from "./drags/drag";
 import type {Plane} from "./space";
@@ -24,7 +24,7 @@ export type Target =
   | {kind: "traced"; index: number}
   | TaskPart
   | {kind: "curve"; spot: Spot};
-/** A part of the task that its kind brings (tasks/view.ts), and what it does. */
+/** A part of the task that its kind brings (kinds/view.ts), and what it does. */
 export interface TaskPart {
   kind: "task";
   part: string;

@@ -4,7 +4,7 @@ import {line, px} from "../figure/paths";
 import {clip} from "./curve_samples";
 import type {Plane} from "./space";
 
-export interface Window {
+export interface Sight {
   width: number;
   height: number;
 }
@@ -20,14 +20,14 @@ export function polyline(points: readonly Point[], {project}: Pick<Plane, "proje
     .join("");
 }
 /** A line without ends, as far as it is seen. */
-export function endless(point: Point, direction_deg: number, {project}: Pick<Plane, "project">, seen: Window): string {
+export function endless(point: Point, direction_deg: number, {project}: Pick<Plane, "project">, seen: Sight): string {
   const at = project(point),
     turn = (direction_deg * Math.PI) / 180;
   const end = (s: number): Point => [at[0] + s * Math.cos(turn), at[1] - s * Math.sin(turn)];
   const piece = clip(end(-1e6), end(1e6), [-10, -10], [seen.width + 10, seen.height + 10]);
   return piece ? line(...piece) : "";
 }
-export function circle_path(shape: CircleOrLine, space: Pick<Plane, "project">, seen: Window): string {
+export function circle_path(shape: CircleOrLine, space: Pick<Plane, "project">, seen: Sight): string {
   if ("line" in shape) return endless(shape.line.point, shape.line.direction_deg, space, seen);
   const [x, y] = space.project(shape.center),
     [edge] = space.project([shape.center[0] + shape.radius, shape.center[1]]),

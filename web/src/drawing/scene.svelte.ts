@@ -28,9 +28,9 @@ import {
   type Handle,
   type Target,
 } from "./handles";
-import {anchors_of, kind_of} from "../tasks/kinds";
-import {mistake_sentence} from "../task/mistakes";
-import type {TaskView} from "../tasks/view";
+import {anchors_of, kind_of} from "../kinds/kind_dispatch";
+import {mistake_sentence} from "../task_panel/mistakes";
+import type {TaskView} from "../kinds/view";
 import {near, task_points, useful_pivots} from "./fit";
 import type {Guide} from "./snapping";
 import {Plane} from "./space";

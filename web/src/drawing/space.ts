@@ -1,5 +1,5 @@
 // Where linkages live, as a drawing shows it: the plane here; a kind whose linkages live elsewhere (a sphere) brings its
-// own space with its own stage (tasks/view.ts).
+// own space with its own stage (kinds/view.ts).
 import type {Point} from "../contract/messages";
 import {px} from "../figure/paths";
 import {align_px, snapped_point, type Guide, type Keys} from "./snapping";

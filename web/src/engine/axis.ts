@@ -10,7 +10,7 @@ import {
   type Side,
   type TaskAnswer,
   type TauPair,
-  type Window,
+  type MapWindow,
 } from "../contract/messages";
 
 function interpolated(knots: readonly (readonly [number, number])[], value: number, from: 0 | 1): number {
@@ -85,7 +85,7 @@ export function stepped_place(axis: Axis, place: number, cells: number, cell: nu
 }
 
 /** An axis of a few places is shown whole. */
-export function held_window(axes: Axes, window: Window): Window {
+export function held_window(axes: Axes, window: MapWindow): MapWindow {
   const held = (side: Side) => (is_discrete(axes[side]) ? whole[side] : window[side]);
   const [input, output] = [held("input"), held("output")];
   return [...input, ...output].join() === [...whole.input, ...whole.output].join() ? whole : {input, output};

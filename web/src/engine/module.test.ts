@@ -9,7 +9,7 @@ import {whole, type Kind, type Requests} from "../contract/messages";
 import {Engine} from "./serve";
 import {first_example} from "../gallery/gallery";
 import {problem_text} from "../state/problem";
-import {with_pose_moved} from "../tasks/kinds";
+import {with_pose_moved} from "../kinds/kind_dispatch";
 
 const property = "min_transmission_angle_deg",
   problem = problem_text(first_example.problem),

@@ -14,7 +14,7 @@ import {no_mechanism} from "../figure/no_mechanism";
 import {crossings_told} from "../figure/plate_words";
 import {examples, first_example} from "../gallery/gallery";
 import {engine_text, type Problem} from "../state/problem";
-import {load_views, task_view} from "../tasks/views";
+import {load_views, task_view} from "../kinds/view_dispatch";
 import {bench, settled, type Bench} from "../state/workbench_bench";
 import {ask_machine, machine_of} from "./machine";
 import {plate_choice} from "./plate_form.svelte";

@@ -1,7 +1,7 @@
 import {expect, it} from "vitest";
 import type {Pin} from "../state/problem";
 import {first_example} from "../gallery/gallery";
-import {six_bar_kind} from "../tasks/six_bar/kind";
+import {six_bar_kind} from "../kinds/six_bar/kind";
 import {file_name, file_stem, slug} from "./names";
 
 const pins = [{name: "B", tau: [1.25, 0.5]}] as unknown as Pin[];

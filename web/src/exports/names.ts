@@ -1,7 +1,7 @@
 // What exported files are called: the task's title and the pin's name, or what the linkage is.
 import type {LinkageType, TauPair} from "../contract/messages";
 import type {Pin, Problem} from "../state/problem";
-import {name_of} from "../tasks/kinds";
+import {name_of} from "../kinds/kind_dispatch";
 
 const longest_stem = 60;
 

@@ -1,4 +1,4 @@
-import {filed} from "../tasks/kinds";
+import {filed} from "../kinds/kind_dispatch";
 import type {Workbench} from "../state/workbench.svelte";
 import {slug} from "./names";
 

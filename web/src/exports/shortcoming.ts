@@ -4,7 +4,7 @@ import {verdict_of} from "../numbers/verdict";
 import {unmet_text} from "../requirements/requirements";
 import type {Workbench} from "../state/workbench.svelte";
 import type {Task} from "../state/task";
-import {told} from "../tasks/kinds";
+import {told} from "../kinds/kind_dispatch";
 import {t} from "../texts/texts.svelte";
 
 /** Its defect and the requirements that it misses, in one sentence; nothing of a linkage that does what was asked. */

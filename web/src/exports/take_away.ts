@@ -5,10 +5,10 @@ import {css_values} from "../state/css_values";
 import {engine_text, outline_of, type Problem} from "../state/problem";
 import {preferences} from "../state/preferences.svelte";
 import {poses_of} from "../state/task";
-import {given_views} from "../analyses/views";
+import {given_views} from "../analyses/view_dispatch";
 import type {Workbench} from "../state/workbench.svelte";
-import {gives_linkage, with_other_task} from "../tasks/kinds";
-import {task_view} from "../tasks/views";
+import {gives_linkage, with_other_task} from "../kinds/kind_dispatch";
+import {task_view} from "../kinds/view_dispatch";
 import {animated_gif, type Progress} from "./animation";
 import {containers, film, film_angles, type Container} from "./film";
 import {film_choice} from "./film_form.svelte";
@@ -83,7 +83,7 @@ export function targets(workbench: Workbench): Target[] {
 
 const no_progress: Progress = {done: () => {}, signal: new AbortController().signal};
 
-export interface File {
+export interface NamedBlob {
   name: string;
   blob: Blob;
 }
@@ -92,7 +92,7 @@ export async function made_file(
   target: Target,
   format: Format,
   progress: Progress = no_progress,
-): Promise<File> {
+): Promise<NamedBlob> {
   const stem = file_stem(target.problem, target, workbench.pins);
   if (format === "svg")
     return {name: `${stem}.svg`, blob: new Blob([await svg_of(workbench, target)], {type: engine_types.svg})};

@@ -1,6 +1,6 @@
 import {describe, expect, it} from "vitest";
 import type {Linkage, Point} from "../contract/messages";
-import {six_bar} from "../tasks/six_bar/figure";
+import {six_bar} from "../kinds/six_bar/figure";
 import {paint_figure} from "./canvas";
 import {is_slender, middle_of, points_of, web_of, type Figure} from "./figure";
 import {four_bar} from "./four_bar";

@@ -1,11 +1,11 @@
 // Formulas as they are written in a line, for MathML: `a_{x}^2`, `\frac{1}{2}`, `\sqrt{…}`, `*p*` for a vector, `"sin"` for an
 // upright word, ` ; ` between two formulas, the rest letter by letter.
-export type Node =
-  | {kind: "row"; of: Node[]}
+export type FormulaNode =
+  | {kind: "row"; of: FormulaNode[]}
   | {kind: "letter" | "vector" | "number" | "operator" | "word" | "gap"; text: string}
-  | {kind: "fraction" | "below" | "above"; of: [Node, Node]}
-  | {kind: "both"; of: [Node, Node, Node]}
-  | {kind: "root"; of: [Node]};
+  | {kind: "fraction" | "below" | "above"; of: [FormulaNode, FormulaNode]}
+  | {kind: "both"; of: [FormulaNode, FormulaNode, FormulaNode]}
+  | {kind: "root"; of: [FormulaNode]};
 
 const token = /\s+|\\(frac|sqrt)|\*([^*\s]+)\*|"([^"]*)"|[_^{}]|[\d.]+°?|\p{L}(?:\p{M}|[′₀₁₂₃₊₋⊥])*|[^\s]/gu;
 
@@ -16,18 +16,18 @@ class Reader {
   constructor(text: string) {
     this.tokens = [...text.matchAll(token)].filter(([all]) => all.trim() !== "");
   }
-  row(end: string | null): Node {
-    const of: Node[] = [];
+  row(end: string | null): FormulaNode {
+    const of: FormulaNode[] = [];
     while (this.at < this.tokens.length && this.tokens[this.at]![0] !== end) of.push(this.scripted());
     if (end !== null) ++this.at;
     return of.length === 1 ? of[0]! : {kind: "row", of};
   }
-  private group(): Node {
+  private group(): FormulaNode {
     if (this.tokens[this.at]?.[0] !== "{") return this.plain();
     ++this.at;
     return this.row("}");
   }
-  private scripted(): Node {
+  private scripted(): FormulaNode {
     const base = this.plain(),
       below = this.script("_"),
       above = this.script("^");
@@ -35,12 +35,12 @@ class Reader {
     if (below) return {kind: "below", of: [base, below]};
     return above ? {kind: "above", of: [base, above]} : base;
   }
-  private script(mark: string): Node | null {
+  private script(mark: string): FormulaNode | null {
     if (this.tokens[this.at]?.[0] !== mark) return null;
     ++this.at;
     return this.group();
   }
-  private plain(): Node {
+  private plain(): FormulaNode {
     const found = this.tokens[this.at++];
     if (!found) return {kind: "row", of: []};
     const [all, command, vector, word] = found;
@@ -54,6 +54,6 @@ class Reader {
     return {kind: /^\p{L}/u.test(all) ? "letter" : "operator", text: all};
   }
 }
-export function parsed(text: string): Node {
+export function parsed(text: string): FormulaNode {
   return new Reader(text).row(null);
 }

@@ -1,7 +1,7 @@
 // What is said of a linkage in one sentence: its defect, or that it has none and whether driving has confirmed that.
 import type {Linkage, Replies} from "../contract/messages";
 import type {TextKey} from "../texts/texts.svelte";
-import {defect_key, has_defect} from "./words";
+import {defect_key, has_defect} from "./linkage_words";
 
 export interface Verdict {
   good: boolean;

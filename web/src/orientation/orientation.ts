@@ -1,5 +1,5 @@
 // An orientation as files give it (schema/attitude.schema.json), and what the engine's report says of it.
-import {is_number, is_object, type Object} from "../state/shape";
+import {is_number, is_object, type JsonObject} from "../state/shape";
 import type {Rows, Vec3} from "../sphere/vectors";
 import type {TextKey} from "../texts/texts.svelte";
 
@@ -97,12 +97,12 @@ export function read_vector(value: unknown): Vec3 | null {
 export function is_sequence(value: unknown): value is string {
   return sequences.some((sequence) => sequence === value);
 }
-function read_euler(value: Object): Orientation | null {
+function read_euler(value: JsonObject): Orientation | null {
   const euler_deg = read_vector(value.euler_deg);
   if (!euler_deg || !is_sequence(value.sequence)) return null;
   return {euler_deg, sequence: value.sequence, ...(value.turning === "extrinsic" ? {turning: "extrinsic"} : {})};
 }
-function read_matrix(value: Object): Orientation | null {
+function read_matrix(value: JsonObject): Orientation | null {
   const rows = Array.isArray(value.matrix) && value.matrix.length === 3 ? value.matrix.map(read_vector) : [];
   if (rows.length !== 3 || !rows.every((row) => row !== null)) return null;
   return {matrix: rows as unknown as Rows, ...(value.nearest === true ? {nearest: true} : {})};

@@ -1,7 +1,7 @@
 // Pinned linkages side by side: what is compared, which is best, in which order, and as a table to take away.
 import type {Linkage} from "../contract/messages";
 import type {Pin} from "../state/problem";
-import {lengths_of} from "../tasks/kinds";
+import {lengths_of} from "../kinds/kind_dispatch";
 import {least_of, most_of} from "../state/ends";
 
 export const compared = [

@@ -8,7 +8,7 @@ interface Asking {
   readonly questions: Questions;
   readonly driver_client: EngineClient | null;
 }
-type Request<Of, Value> = (client: EngineClient, of: Of, signal: AbortSignal) => Promise<Value>;
+type EngineRequest<Of, Value> = (client: EngineClient, of: Of, signal: AbortSignal) => Promise<Value>;
 
 export class EachOnce<Of, Value> {
   /** Null: refused. */
@@ -19,7 +19,7 @@ export class EachOnce<Of, Value> {
   constructor(
     private readonly asking: Asking,
     private readonly key: (of: Of) => string,
-    private readonly request: Request<Of, Value>,
+    private readonly request: EngineRequest<Of, Value>,
     private readonly most = 500,
   ) {
     this.question = new Question(asking.questions);

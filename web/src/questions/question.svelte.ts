@@ -4,7 +4,7 @@
 import {Cancelled, Crashed, Refusal, Superseded} from "../engine/client";
 import type {Questions} from "./questions";
 
-type Request<Value> = (signal: AbortSignal) => Promise<Value | null>;
+type EngineRequest<Value> = (signal: AbortSignal) => Promise<Value | null>;
 interface Asked<Of, Value> {
   of: Of;
   stop: AbortController;
@@ -82,7 +82,7 @@ export class Question<Of, Value> {
 
   /** Asks unless that is on its way, and supersedes what is.
    *  Null where there is no answer: it was superseded, it has failed, or the request has found that nobody wants it. */
-  ask(of: Of, request: Request<Value>, asking: Asking<Value> = {}): Promise<Value | null> {
+  ask(of: Of, request: EngineRequest<Value>, asking: Asking<Value> = {}): Promise<Value | null> {
     if (this.last && this.same(this.last.of, of)) return this.last.answer;
     this.let_go(({sent}) => !this.follows || !sent);
     const asked = {of, stop: new AbortController(), sent: false} as Asked<Of, Value>;
@@ -92,7 +92,7 @@ export class Question<Of, Value> {
   }
   private async answer_of(
     asked: Asked<Of, Value>,
-    request: Request<Value>,
+    request: EngineRequest<Value>,
     {rest_ms = 0, taken, refused}: Asking<Value>,
   ): Promise<Value | null> {
     const {signal} = asked.stop;

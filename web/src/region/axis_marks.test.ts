@@ -2,7 +2,7 @@ import {describe, expect, it} from "vitest";
 import type {Axis, AxisBlock} from "../contract/messages";
 import {axis_bars, axis_numbers, has_layers} from "./axis_marks";
 import {make_scale} from "./scale";
-import {spherical_kind} from "../tasks/spherical/kind";
+import {spherical_kind} from "../kinds/spherical/kind";
 
 const ticks = [0, 1].flatMap((sheet) => Array.from({length: 12}, (_, i) => [sheet + i / 12, 30 * i] as const));
 const directions: Axis = {

@@ -84,7 +84,7 @@ export interface AxisNumber {
   text: string;
 }
 
-/** `say`: a text of the frame as the kind of task says it (tasks/kinds.text_for). */
+/** `say`: a text of the frame as the kind of task says it (kind_dispatch.text_for). */
 type Say = (key: TextKey) => TextKey;
 
 export function block_text(axis: Axis, index: number, say: Say): string {

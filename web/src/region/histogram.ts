@@ -1,12 +1,12 @@
 import {degenerate} from "../contract/messages";
 import type {MapAnswer} from "../contract/messages";
 import {most_of} from "../state/ends";
-import {share_of, type Range} from "./value_range";
+import {share_of, type ValueRange} from "./value_range";
 
 /** Share of the defect-free cells, or of those only that meet everything, in each of `bins` equal steps of the range, the largest scaled to 1. */
 export function histogram(
   map: Pick<MapAnswer, "type" | "defects" | "fails" | "value">,
-  range: Range,
+  range: ValueRange,
   bins: number,
   only_meeting = false,
 ): number[] {

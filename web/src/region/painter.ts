@@ -1,8 +1,8 @@
 // The map as pixels: one per cell in a bitmap, defect cells left clear so that hatching drawn in screen pixels shows.
-import type {MapAnswer, Window} from "../contract/messages";
+import type {MapAnswer, MapWindow} from "../contract/messages";
 import {ramp_steps, ramp_table, type_table, type Look} from "./palette";
 import {pixel_of, type Piece, type Scale} from "./scale";
-import type {Range} from "./value_range";
+import type {ValueRange} from "./value_range";
 
 /** With rows and columns exchanged, where there is one of either. */
 export function on_its_side(map: MapAnswer): MapAnswer {
@@ -33,7 +33,7 @@ export function paint_types(map: MapAnswer, look: Look, out: Uint32Array): void 
 export function paint_values(
   map: MapAnswer,
   look: Look,
-  range: Range,
+  range: ValueRange,
   out: Uint32Array,
   known: Uint8Array | null = null,
 ): void {
@@ -53,7 +53,7 @@ export function paint_values(
   }
 }
 /** What is not defined is as bad as can be. */
-function in_logarithms(value: Float32Array, {from, to}: Range): [Float32Array, Range] {
+function in_logarithms(value: Float32Array, {from, to}: ValueRange): [Float32Array, ValueRange] {
   const worst = Math.log(from);
   return [value.map((of) => (of > 0 ? Math.log(of) : worst)), {from: worst, to: Math.log(to)}];
 }
@@ -113,7 +113,12 @@ function part(piece: Piece, scale: Scale, span: readonly [number, number], n: nu
 }
 
 /** Draws the bitmap of the part `window` of the region, wherever that part lies in the frame. */
-export function draw_bitmap(context: CanvasRenderingContext2D, {canvas}: Bitmap, window: Window, frame: Frame): void {
+export function draw_bitmap(
+  context: CanvasRenderingContext2D,
+  {canvas}: Bitmap,
+  window: MapWindow,
+  frame: Frame,
+): void {
   const {up, across} = frame,
     {width: columns, height: rows} = canvas;
   const ratio = context.getTransform().a; // device pixels

@@ -1,7 +1,7 @@
 import {describe, expect, it} from "vitest";
 import type {Requirements} from "../contract/messages";
 import type {Tolerances} from "../analyses/tolerances/block";
-import {new_problem} from "../tasks/motion/kind";
+import {new_problem} from "../kinds/motion/kind";
 import {
   colorings_of,
   contour_levels,

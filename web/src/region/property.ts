@@ -3,11 +3,11 @@ import type {LinkageType, Property, Requirements, TaskAnswer} from "../contract/
 import {round_step} from "../state/problem";
 import type {Problem} from "../state/problem";
 import type {Workbench} from "../state/workbench.svelte";
-import {properties_of, property_descriptions, property_of, requirement_descriptions} from "../tasks/kinds";
+import {properties_of, property_descriptions, property_of, requirement_descriptions} from "../kinds/kind_dispatch";
 import type {TermName} from "../terms/pictures";
 import type {TextKey} from "../texts/texts.svelte";
 import {degrees_text, percent_text, significant, with_unit} from "../texts/numbers";
-import type {Range} from "./value_range";
+import type {ValueRange} from "./value_range";
 
 export type Coloring = "type" | Property;
 /** In the order in which C walks through them. */
@@ -68,7 +68,7 @@ export function value_text(property: Property, value: number, unit: string): str
 }
 
 /** Ends for the painter: from the bad one to the good one. */
-export function painted_range(property: Property, ends: readonly [number, number]): Range {
+export function painted_range(property: Property, ends: readonly [number, number]): ValueRange {
   const {larger_is_better, logarithmic} = property_descriptions[property],
     [from, to] = larger_is_better ? ends : [ends[1], ends[0]];
   return {from, to, ...(logarithmic ? {logarithmic} : {})};

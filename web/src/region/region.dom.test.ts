@@ -19,7 +19,7 @@ import {
 import {example, solve} from "../../tests/program";
 import {place_of} from "../engine/axis";
 import type {TauPair} from "../contract/messages";
-import {planar_types} from "../tasks/planar";
+import {planar_types} from "../kinds/planar";
 
 const cell: TauPair = [1.3125, 1.1125]; // the middle of a cell of 400 × 400
 const hand = () => workbench.hand!;

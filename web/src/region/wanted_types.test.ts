@@ -1,5 +1,5 @@
 import {describe, expect, it} from "vitest";
-import {new_problem} from "../tasks/motion/kind";
+import {new_problem} from "../kinds/motion/kind";
 import {is_wanted, legend_types, only, toggled} from "./wanted_types";
 
 describe("wanted types", () => {

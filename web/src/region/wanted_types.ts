@@ -2,7 +2,7 @@
 import type {LinkageType} from "../contract/messages";
 import {with_requirements, type Problem} from "../state/problem";
 import type {Task} from "../state/task";
-import {types_of} from "../tasks/kinds";
+import {types_of} from "../kinds/kind_dispatch";
 
 /** In the legend: a change point is a line on the map, no area. */
 export function legend_types(task: Task): LinkageType[] {

@@ -1,7 +1,7 @@
 import {describe, expect, it} from "vitest";
 import type {Box, Linkage, TaskAnswer} from "../contract/messages";
 import type {Problem} from "../state/problem";
-import {new_problem} from "../tasks/motion/kind";
+import {new_problem} from "../kinds/motion/kind";
 import {
   all_dropped,
   box_around,

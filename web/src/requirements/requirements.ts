@@ -11,7 +11,7 @@ import {
 } from "../contract/messages";
 import type {Task} from "../state/task";
 import type {Workbench} from "../state/workbench.svelte";
-import {requirement_descriptions, requirement_of, requirements_of, text_for} from "../tasks/kinds";
+import {requirement_descriptions, requirement_of, requirements_of, text_for} from "../kinds/kind_dispatch";
 import {grouped, percent_text, significant, with_unit} from "../texts/numbers";
 import {t} from "../texts/texts.svelte";
 import {least_of, most_of} from "../state/ends";

@@ -16,7 +16,7 @@ import {
 } from "../../tests/page/support";
 import {example, solve} from "../../tests/program";
 import type {RequirementKey} from "../contract/messages";
-import {planar_requirements} from "../tasks/planar";
+import {planar_requirements} from "../kinds/planar";
 
 const meeting = () => workbench.census!.meeting;
 const grouped = (count: number) => String(count).replace(/\B(?=(\d{3})+$)/g, "\u202f");

@@ -1,7 +1,7 @@
 // What a new task begins with does what it requires itself, by the engine's count.
 import {expect, it} from "vitest";
 import {bench, until} from "../state/workbench_bench";
-import {incompleteness, seeks_linkages} from "../tasks/kinds";
+import {incompleteness, seeks_linkages} from "../kinds/kind_dispatch";
 import {beginnings} from "./new_task";
 
 const asked = beginnings

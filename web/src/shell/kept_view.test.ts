@@ -5,7 +5,7 @@ import {thinned} from "../engine/stored";
 import {Workbench} from "../state/workbench.svelte";
 import {bench, settled} from "../state/workbench_bench";
 import {first_example} from "../gallery/gallery";
-import {with_pose_moved} from "../tasks/kinds";
+import {with_pose_moved} from "../kinds/kind_dispatch";
 import {keep_view, read_view, view_for, view_of} from "./kept_view.svelte";
 
 let shown: Workbench;

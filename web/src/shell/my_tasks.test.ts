@@ -2,7 +2,7 @@ import {describe, expect, it} from "vitest";
 import type {Linkage, MapAnswer} from "../contract/messages";
 import {first_example} from "../gallery/gallery";
 import {Workbench} from "../state/workbench.svelte";
-import {with_pose} from "../tasks/kinds";
+import {with_pose} from "../kinds/kind_dispatch";
 import {keep_task, my_tasks, picture_of, put_task, remove_task} from "./my_tasks";
 import type {Store} from "./storage";
 

@@ -6,9 +6,9 @@ import {whole, type Linkage, type MapAnswer, type Pivot} from "../contract/messa
 import {examples} from "../gallery/gallery";
 import {engine_text, type Problem} from "../state/problem";
 import {read_problem} from "../state/problem_shape";
-import {is_finite, is_object, type Object} from "../state/shape";
+import {is_finite, is_object, type JsonObject} from "../state/shape";
 import type {Workbench} from "../state/workbench.svelte";
-import {joints_of} from "../tasks/kinds";
+import {joints_of} from "../kinds/kind_dispatch";
 import {beginnings} from "./new_task";
 import {without_picture} from "./share";
 import {time_of, work_store, type Store} from "./work_store";
@@ -88,7 +88,7 @@ function text_of({at, problem, picture}: Omit<OwnTask, "key">): string {
 }
 function read(key: string, text: string): OwnTask | null {
   try {
-    const value = JSON.parse(text) as Object,
+    const value = JSON.parse(text) as JsonObject,
       problem = read_problem(value.problem);
     return problem && {key, at: time_of(text), problem, picture: read_picture(value.picture)};
   } catch {

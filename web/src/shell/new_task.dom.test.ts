@@ -19,7 +19,7 @@ import {
   until_there,
   workbench,
 } from "../../tests/page/support";
-import type {MotionTask} from "../tasks/motion/task";
+import type {MotionTask} from "../kinds/motion/task";
 
 const hatch = "0\t0\t0\n60\t35\t22\n160\t120\t58\n190\t240\t95";
 async function new_dialog(opener: string): Promise<void> {

@@ -2,10 +2,10 @@ import {describe, expect, it} from "vitest";
 import {examples, first_example} from "../gallery/gallery";
 import {with_requirements, type Problem} from "../state/problem";
 import {poses_of, position_count, type Task} from "../state/task";
-import type {MotionTask} from "../tasks/motion/task";
-import type {SixBarTask} from "../tasks/six_bar/task";
-import type {SphericalTask} from "../tasks/spherical/task";
-import {incompleteness, kind_of, with_poses} from "../tasks/kinds";
+import type {MotionTask} from "../kinds/motion/task";
+import type {SixBarTask} from "../kinds/six_bar/task";
+import type {SphericalTask} from "../kinds/spherical/task";
+import {incompleteness, kind_of, with_poses} from "../kinds/kind_dispatch";
 import {beginning_of, beginnings, common_with, going_on, has_own} from "./new_task";
 
 const begin = (id: string) => beginnings.find((beginning) => beginning.id === id)!;

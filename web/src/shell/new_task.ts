@@ -1,12 +1,12 @@
 // A new task, with what it has in common with the one in hand: the positions or orientations of a guided body.
-import {without_blocks} from "../analyses/analyses";
+import {without_blocks} from "../analyses/analysis_dispatch";
 import {examples} from "../gallery/gallery";
 import type {Orientation} from "../orientation/orientation";
 import type {Problem} from "../state/problem";
 import {poses_of, position_count, same_value, type Pose, type Task} from "../state/task";
-import {length_step, proposed} from "../task/poses";
-import type {Beginning} from "../tasks/kind";
-import {anchors_of, has_linkages, kind_of, task_kinds, with_other_task} from "../tasks/kinds";
+import {length_step, proposed} from "../task_panel/poses";
+import type {Beginning} from "../kinds/kind";
+import {anchors_of, has_linkages, kind_of, task_kinds, with_other_task} from "../kinds/kind_dispatch";
 
 export const beginnings = task_kinds.flatMap((kind) => kind.beginnings);
 

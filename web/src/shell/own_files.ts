@@ -4,9 +4,9 @@ import {linkage_types} from "../contract/messages";
 import {unused_name} from "../state/pins";
 import type {Pin} from "../state/problem";
 import {read_view} from "../state/problem_shape";
-import {is_finite, is_object, is_pair, present, type Object} from "../state/shape";
+import {is_finite, is_object, is_pair, present, type JsonObject} from "../state/shape";
 import {poses_of, position_count} from "../state/task";
-import {filed_pivots, read_task, task_of_file, task_of_poses} from "../tasks/kinds";
+import {filed_pivots, read_task, task_of_file, task_of_poses} from "../kinds/kind_dispatch";
 
 export type Told =
   | {kind: "problem" | "result" | "linkage" | "lone_linkage"; text: string} // of the problem in it
@@ -46,7 +46,7 @@ function of_text(text: string): Told {
     (is_object(file.linkage) && of_linkage(file, file.linkage)) || of_lone_linkage(file) || {kind: "problem", text}
   );
 }
-function parsed(text: string): Object | null {
+function parsed(text: string): JsonObject | null {
   try {
     const value: unknown = JSON.parse(without_comments(text));
     return is_object(value) ? value : null;
@@ -56,7 +56,7 @@ function parsed(text: string): Object | null {
 }
 
 /** The best one in hand; where there are several, all are pinned. */
-function problem_of_result(problem: Object, linkages: readonly unknown[]): Object {
+function problem_of_result(problem: JsonObject, linkages: readonly unknown[]): JsonObject {
   const view = read_view(problem.view),
     pins: Pin[] = [...(view.pins ?? [])];
   const found = linkages.filter(is_object),
@@ -68,19 +68,19 @@ function problem_of_result(problem: Object, linkages: readonly unknown[]): Objec
     }
   return {...problem, view: {...view, ...(picked ? {picked} : {}), ...(pins.length ? {pins} : {})}};
 }
-function tau_of({input, output}: Object): [number, number] | null {
+function tau_of({input, output}: JsonObject): [number, number] | null {
   return is_object(input) && is_object(output) && is_finite(input.coordinate) && is_finite(output.coordinate)
     ? [input.coordinate, output.coordinate]
     : null;
 }
-function pin_of(linkage: Object, of: unknown): Pin | null {
+function pin_of(linkage: JsonObject, of: unknown): Pin | null {
   const tau = tau_of(linkage),
     task = read_task(of),
     type = linkage_types.find((name) => name === linkage.type);
   if (!tau || !task || !type) return null;
   const {min_transmission_angle_deg, link_ratio, lengths} = linkage,
-    input = linkage.input as Object,
-    output = linkage.output as Object;
+    input = linkage.input as JsonObject,
+    output = linkage.output as JsonObject;
   const all =
     is_object(lengths) && Object.values(lengths).every(is_finite)
       ? (lengths as unknown as NonNullable<Pin["lengths"]>)
@@ -113,14 +113,14 @@ export function without_comments(text: string): string {
 function text_of(value: unknown): string {
   return typeof value === "string" ? value : "";
 }
-function of_lone_linkage(file: Object): Told | null {
+function of_lone_linkage(file: JsonObject): Told | null {
   const task = task_of_file(file),
     {linkwright = 1, title, length_unit, view} = file;
   const problem = {linkwright, title: text_of(title), length_unit: text_of(length_unit), task, ...present({view})};
   return task && {kind: "lone_linkage", text: JSON.stringify(problem)};
 }
 /** A four-bar's positions are a task where they are all that was asked: four or five poses. */
-function of_linkage({title, length_unit, poses}: Object, linkage: Object): Told | null {
+function of_linkage({title, length_unit, poses}: JsonObject, linkage: JsonObject): Told | null {
   const task = task_of_poses(poses),
     tau = tau_of(linkage);
   const count = task ? position_count(poses_of(task)) : 0;

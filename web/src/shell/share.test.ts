@@ -1,7 +1,7 @@
 import {deflateSync, strToU8} from "fflate";
 import {describe, expect, it} from "vitest";
 import {type Problem} from "../state/problem";
-import {new_problem} from "../tasks/motion/kind";
+import {new_problem} from "../kinds/motion/kind";
 import {check_sum, fragment_of, is_local, link_of, longest_link, read_fragment} from "./share";
 
 const page = "https://example.org/linkwright/";

@@ -3,7 +3,7 @@ import {from_problem, to_problem} from "../state/document";
 import {with_view, type Problem} from "../state/problem";
 import {poses_of} from "../state/task";
 import {Workbench} from "../state/workbench.svelte";
-import {new_problem} from "../tasks/motion/kind";
+import {new_problem} from "../kinds/motion/kind";
 import {
   damaged_work,
   forget_damaged,
@@ -16,7 +16,7 @@ import {
   write_work,
   type Store,
 } from "./storage";
-import {with_pose} from "../tasks/kinds";
+import {with_pose} from "../kinds/kind_dispatch";
 
 interface Items extends Store {
   items: Map<string, string>;

@@ -3,7 +3,7 @@ import {afterEach, beforeEach, describe, expect, it, vi} from "vitest";
 import {from_problem, to_problem} from "../state/document";
 import {with_view, type Problem} from "../state/problem";
 import {steps_text} from "../state/steps";
-import {new_problem} from "../tasks/motion/kind";
+import {new_problem} from "../kinds/motion/kind";
 import {own_slot, read_before, read_work, write_work} from "./storage";
 import {open_work_store, type Store} from "./work_store";
 

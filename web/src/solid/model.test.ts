@@ -8,7 +8,7 @@ import {at_angle} from "../figure/mechanism";
 import {examples} from "../gallery/gallery";
 import {angle_of_row, row_count, travel} from "../state/drive";
 import {engine_text} from "../state/problem";
-import {load_views, task_view} from "../tasks/views";
+import {load_views, task_view} from "../kinds/view_dispatch";
 import {SolidModel, type SolidColor} from "./model";
 
 let engine: Engine;

@@ -1,6 +1,6 @@
 // What the engine has answered, each answer with the problem that it answers. Nothing is shown of a task that has no
 // linkage; what belongs to an earlier problem than the one in force is outdated once it has been so for a moment.
-import {gives_linkage, kind_of} from "../tasks/kinds";
+import {gives_linkage, kind_of} from "../kinds/kind_dispatch";
 import type {Census, Linkage, Live, MapAnswer, Replies, TaskAnswer, TauPair} from "../contract/messages";
 import {Question} from "../questions/question.svelte";
 import type {Questions} from "../questions/questions";

@@ -2,9 +2,9 @@
 import fc, {type Arbitrary} from "fast-check";
 import {linkage_types, type Pivot, type Property, type RequirementKey, type Requirements} from "../contract/messages";
 import {box, far_point, found, number, pair, points, positive, record, text} from "./arbitrary_values";
-import {from_problem, to_problem, type Document} from "./document";
-import type {RequirementDescription} from "../tasks/kind";
-import {objective_descriptions, property_descriptions, requirement_descriptions} from "../tasks/kinds";
+import {from_problem, to_problem, type TaskDocument} from "./document";
+import type {RequirementDescription} from "../kinds/kind";
+import {objective_descriptions, property_descriptions, requirement_descriptions} from "../kinds/kind_dispatch";
 import type {Background, Objective, Options, Pin, Problem, SolidBody, View} from "./problem";
 import type {Task} from "./task";
 
@@ -13,7 +13,7 @@ interface OfKind {
   arbitrary_task: Arbitrary<Task>;
   arbitrary_requirements?: {[K in RequirementKey]?: Arbitrary<Requirements[K]>};
 }
-const kinds = Object.values(import.meta.glob<OfKind>("../tasks/*/arbitrary.ts", {eager: true}));
+const kinds = Object.values(import.meta.glob<OfKind>("../kinds/*/arbitrary.ts", {eager: true}));
 /** Of analyses: their blocks. */
 const blocks = Object.assign(
   {},
@@ -128,7 +128,7 @@ const problem: Arbitrary<Problem> = record<Problem>(
   {title: text(200), length_unit: text(20), requirements, options, view, ...blocks},
 );
 
-export const document: Arbitrary<Document> = fc
+export const document: Arbitrary<TaskDocument> = fc
   .record({
     problem,
     picked: fc.oneof(fc.constant(null), fc.record({tau: pair, place: fc.oneof(fc.constant(null), pair)})),

@@ -3,7 +3,7 @@ import type {EngineClient} from "../engine/client";
 import type {Replies} from "../contract/messages";
 import {Question} from "../questions/question.svelte";
 import type {Questions} from "../questions/questions";
-import {map_of} from "../tasks/kinds";
+import {map_of} from "../kinds/kind_dispatch";
 import {engine_text, type Problem} from "./problem";
 
 interface Listed {

@@ -1,9 +1,9 @@
 import {describe, expect, it} from "vitest";
 import type {Axis} from "../contract/messages";
-import {differs, from_problem, same_tau, settled_on, to_problem, type Document} from "./document";
-import {new_problem} from "../tasks/motion/kind";
+import {differs, from_problem, same_tau, settled_on, to_problem, type TaskDocument} from "./document";
+import {new_problem} from "../kinds/motion/kind";
 import {with_view, type Pin} from "./problem";
-import {with_pose} from "../tasks/kinds";
+import {with_pose} from "../kinds/kind_dispatch";
 
 /** One branch over the whole axis, from τ = 0 to 1. */
 const axis: Axis = {
@@ -42,7 +42,7 @@ const both = (one: Axis) => ({input: one, output: one});
 
 const problem = new_problem();
 const pin = {name: "A", tau: [0.5, 0.75], task: problem.task} as unknown as Pin;
-const document: Document = {problem, picked: {tau: [0.25, 0.5], place: null}, pins: [pin], order: null};
+const document: TaskDocument = {problem, picked: {tau: [0.25, 0.5], place: null}, pins: [pin], order: null};
 
 describe("a document", () => {
   it("is a problem with pick, pins and order taken out of its view, and becomes it again", () => {

@@ -1,13 +1,13 @@
 // The document as it is edited: steps and undo, gestures that become a step when they end, and what happens to a step
 // that the engine refuses.
 import type {Mistake, Picked} from "../contract/messages";
-import {differs, from_problem, with_problem, type Document} from "./document";
-import {History} from "./history";
+import {differs, from_problem, with_problem, type TaskDocument} from "./document";
+import {UndoHistory} from "./history";
 import {engine_text, same_question, type Pin, type Problem} from "./problem";
 import type {Steps} from "./steps";
 
 export abstract class Editing {
-  document = $state.raw<Document>({problem: null as unknown as Problem, picked: null, pins: [], order: null});
+  document = $state.raw<TaskDocument>({problem: null as unknown as Problem, picked: null, pins: [], order: null});
   can_undo = $state(false);
   can_redo = $state(false);
   /** A drag is under way: changes are not steps yet. */
@@ -18,8 +18,8 @@ export abstract class Editing {
   /** The last step was of the task or what is required, and what became of the picked linkage is not known yet. */
   just_changed = false;
 
-  private readonly history: History<Document>;
-  private last_good: Document;
+  private readonly history: UndoHistory<TaskDocument>;
+  private last_good: TaskDocument;
   private good_text = ""; // what the engine read of it
   private refused: Problem | null = null;
   private readonly listeners: (() => void)[] = [];
@@ -29,7 +29,7 @@ export abstract class Editing {
   constructor(start: Problem | Steps, now: () => number = () => performance.now()) {
     const {past, present, future} = "present" in start ? start : {past: [], present: from_problem(start), future: []};
     this.document = present;
-    this.history = new History(this.document, now, [...past], [...future]);
+    this.history = new UndoHistory(this.document, now, [...past], [...future]);
     [this.can_undo, this.can_redo] = [past.length > 0, future.length > 0];
     this.last_good = this.document;
   }
@@ -71,13 +71,13 @@ export abstract class Editing {
   edit(change: (problem: Problem) => Problem, merge: string | null = null): void {
     this.edit_document((document) => with_problem(document, change(document.problem)), merge);
   }
-  edit_document(change: (document: Document) => Document, merge: string | null = null): void {
+  edit_document(change: (document: TaskDocument) => TaskDocument, merge: string | null = null): void {
     const before = this.document,
       after = change(before);
     this.note_change(before, after);
     this.commit(after, merge);
   }
-  private note_change(before: Document, after: Document): void {
+  private note_change(before: TaskDocument, after: TaskDocument): void {
     if (after.picked !== before.picked)
       this.just_changed = false; // it is the user's own choice
     else this.just_changed ||= !same_question(before.problem, after.problem);
@@ -96,7 +96,7 @@ export abstract class Editing {
     this.show(this.history.redo());
     this.told();
   }
-  protected commit(document: Document, merge: string | null = null): void {
+  protected commit(document: TaskDocument, merge: string | null = null): void {
     this.history.commit(document, merge);
     this.show(document);
     this.told();
@@ -106,7 +106,7 @@ export abstract class Editing {
     this.can_redo = this.history.can_redo;
     for (const listener of this.listeners) listener();
   }
-  private show(document: Document): void {
+  private show(document: TaskDocument): void {
     this.document = document;
     this.keep_good();
     this.refresh();
@@ -121,7 +121,7 @@ export abstract class Editing {
   drag(change: (problem: Problem) => Problem): void {
     this.drag_document((document) => with_problem(document, change(document.problem)));
   }
-  drag_document(change: (document: Document) => Document): void {
+  drag_document(change: (document: TaskDocument) => TaskDocument): void {
     if (this.gesture) this.show(change(this.document));
   }
   end_gesture(): void {
@@ -144,7 +144,7 @@ export abstract class Editing {
   // ---- what the engine says -----------------------------------------------------------------------------------
 
   /** It has read this document, which stands when a later one is refused, with what has been pinned since it was asked. */
-  accept(document: Document): void {
+  accept(document: TaskDocument): void {
     this.refusal = null;
     if (!same_question(document.problem, this.last_good.problem)) this.last_good = document;
     this.good_text = engine_text(document.problem);
@@ -167,7 +167,7 @@ export abstract class Editing {
     return true;
   }
   /** What it adds to the document in force: no step. */
-  amend(change: Partial<Document>): void {
+  amend(change: Partial<TaskDocument>): void {
     const before = this.document;
     this.document = {...before, ...change};
     this.keep_good();

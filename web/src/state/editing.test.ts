@@ -2,9 +2,9 @@ import {describe, expect, it} from "vitest";
 import type {Mistake} from "../contract/messages";
 import {Editing} from "./editing.svelte";
 import {with_view, type Pin, type Problem} from "./problem";
-import {new_problem} from "../tasks/motion/kind";
+import {new_problem} from "../kinds/motion/kind";
 import {poses_of} from "./task";
-import {with_pose} from "../tasks/kinds";
+import {with_pose} from "../kinds/kind_dispatch";
 
 class Bench extends Editing {
   shown: Problem[] = [];

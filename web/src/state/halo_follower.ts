@@ -3,7 +3,7 @@ import type {EngineClient} from "../engine/client";
 import {null_if_refused, Question} from "../questions/question.svelte";
 import type {Questions} from "../questions/questions";
 import type {Answers, Halo} from "./answers.svelte";
-import type {Document} from "./document";
+import type {TaskDocument} from "./document";
 import {most_of} from "./ends";
 import {engine_text, poses_extent, round_step} from "./problem";
 import type {Pose} from "./task";
@@ -12,7 +12,7 @@ interface Held {
   readonly questions: Questions;
   readonly driver_client: EngineClient | null;
   readonly answers: Answers;
-  readonly document: Document;
+  readonly document: TaskDocument;
   readonly gesture: boolean;
 }
 

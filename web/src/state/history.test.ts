@@ -1,9 +1,9 @@
 import {describe, expect, it} from "vitest";
-import {History} from "./history";
+import {UndoHistory} from "./history";
 
-function history(): {history: History<number>; wait(ms: number): void} {
+function history(): {history: UndoHistory<number>; wait(ms: number): void} {
   let time = 0;
-  return {history: new History(0, () => time), wait: (ms) => void (time += ms)};
+  return {history: new UndoHistory(0, () => time), wait: (ms) => void (time += ms)};
 }
 
 describe("history", () => {

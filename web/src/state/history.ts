@@ -1,5 +1,5 @@
 /** Undo without limit over immutable values; edits with the same `merge` label within a second are one step. */
-export class History<T> {
+export class UndoHistory<T> {
   private label: string | null = null;
   private at = 0;
   private dropped: T[] = []; // what the last step has made impossible to redo

@@ -4,8 +4,8 @@ import type {Linkage, Mistake, Picked, Replies, TauPair} from "../contract/messa
 import {Question} from "../questions/question.svelte";
 import type {Questions} from "../questions/questions";
 import type {Answers} from "./answers.svelte";
-import {gives_linkage} from "../tasks/kinds";
-import {same_linkage, same_tau, type Document, type LinkageOf} from "./document";
+import {gives_linkage} from "../kinds/kind_dispatch";
+import {same_linkage, same_tau, type TaskDocument, type LinkageOf} from "./document";
 import {engine_text, same_question, type Problem} from "./problem";
 
 interface Followed {
@@ -13,9 +13,9 @@ interface Followed {
   readonly driver_client: EngineClient | null;
   readonly answers: Answers;
   readonly problem: Problem;
-  readonly document: Document;
+  readonly document: TaskDocument;
   /** What the engine says of the problem where that is a linkage: nothing else asks it then. */
-  accept(document: Document): void;
+  accept(document: TaskDocument): void;
   refuse(problem: Problem, mistakes: Mistake[]): boolean;
   refresh(): void;
   /** Why the engine is not asked, where it is not. */

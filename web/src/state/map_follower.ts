@@ -8,12 +8,12 @@ import {
   type Property,
   type Replies,
   type Requests,
-  type Window,
+  type MapWindow,
 } from "../contract/messages";
 import type {Questions} from "../questions/questions";
 import type {Answers} from "./answers.svelte";
-import {property_of, sampled_properties} from "../tasks/kinds";
-import {settled_on, type Document} from "./document";
+import {property_of, sampled_properties} from "../kinds/kind_dispatch";
+import {settled_on, type TaskDocument} from "./document";
 import {engine_text, same_question, type Problem} from "./problem";
 import {YieldSampler, type YieldProgress} from "./yield_sampler";
 
@@ -23,16 +23,16 @@ interface Mapped {
   readonly driver_client: EngineClient | null;
   engine_state: "loading" | "ready" | "missing" | "slow";
   readonly answers: Answers;
-  readonly document: Document;
+  readonly document: TaskDocument;
   readonly problem: Problem;
   /** Why the engine is not asked, where it is not. */
   readonly incomplete: object | null;
   readonly gesture: boolean;
-  readonly window: Window;
+  readonly window: MapWindow;
   readonly property: Property;
-  accept(document: Document): void;
+  accept(document: TaskDocument): void;
   refuse(problem: Problem, mistakes: Mistake[]): boolean;
-  amend(change: Partial<Document>): void;
+  amend(change: Partial<TaskDocument>): void;
 }
 /** What comes with a map, and goes on from it. */
 interface Hand {
@@ -125,7 +125,7 @@ export class MapFollower {
   private async answer(
     engine: EngineClient,
     request: Requests["explore"],
-    document: Document,
+    document: TaskDocument,
     signal: AbortSignal,
   ): Promise<Replies["explore"] | null> {
     const {mapped, asked} = this;
@@ -148,7 +148,7 @@ export class MapFollower {
     this.slow_maps = times > 0 ? this.slow_maps + times : 0;
     if (this.slow_maps >= slow_often) this.quick_maps = quick_often * times;
   }
-  private take(reply: Replies["explore"], document: Document, samples: number, window: Window): void {
+  private take(reply: Replies["explore"], document: TaskDocument, samples: number, window: MapWindow): void {
     const {mapped} = this,
       {gesture, answers} = mapped;
     if (!reply.map) answers.forget_linkages();
@@ -166,7 +166,7 @@ export class MapFollower {
     if (settled !== document) this.mapped.amend(settled);
     if (!settled.picked && axes.input.blocks.length > 0) this.start();
   }
-  private not_explored(error: unknown, document: Document, asked: string): void {
+  private not_explored(error: unknown, document: TaskDocument, asked: string): void {
     if (this.asked === asked) this.forget();
     if (error instanceof Refusal && this.mapped.refuse(document.problem, error.mistakes)) this.hand.follow();
   }

@@ -1,8 +1,8 @@
 import {describe, expect, it} from "vitest";
 import {find_pin, free_name} from "./pins";
-import {new_problem} from "../tasks/motion/kind";
+import {new_problem} from "../kinds/motion/kind";
 import type {Pin} from "./problem";
-import {with_pose} from "../tasks/kinds";
+import {with_pose} from "../kinds/kind_dispatch";
 
 const {task} = new_problem();
 const named = (name: string) => ({name, tau: [0.5, 0.75], task}) as unknown as Pin;

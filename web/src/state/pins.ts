@@ -1,6 +1,6 @@
 // Pins as values: each belongs to the task in which it was made.
 import type {Linkage, TauPair} from "../contract/messages";
-import {kept_pivots} from "../tasks/kinds";
+import {kept_pivots} from "../kinds/kind_dispatch";
 import type {Pin, Problem} from "./problem";
 import {same_task, type Task} from "./task";
 

@@ -1,6 +1,6 @@
 import {describe, expect, it} from "vitest";
-import {default_max_length, with_pose, with_poses} from "../tasks/kinds";
-import {new_problem} from "../tasks/motion/kind";
+import {default_max_length, with_pose, with_poses} from "../kinds/kind_dispatch";
+import {new_problem} from "../kinds/motion/kind";
 import {
   body_point,
   engine_text,

@@ -19,7 +19,7 @@ export interface Pin {
   link_ratio: number | null;
   longest: number | null;
   lengths: {ground: number; input: number; coupler: number; output: number} | null;
-  /** By name, as its kind keeps them (tasks/kind.ts); null: at infinity. */
+  /** By name, as its kind keeps them (kinds/kind.ts); null: at infinity. */
   pivots: Readonly<Record<string, Pivot | null>>;
 }
 export interface Background {

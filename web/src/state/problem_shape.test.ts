@@ -1,5 +1,5 @@
 import {describe, expect, it} from "vitest";
-import {new_problem} from "../tasks/motion/kind";
+import {new_problem} from "../kinds/motion/kind";
 import {read_problem, read_view} from "./problem_shape";
 
 const pin = {

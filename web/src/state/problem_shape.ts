@@ -1,12 +1,12 @@
 // What comes from outside (a link, a file, the browser's store) as a problem, or nothing. The engine says what is wrong
 // with a task; the view, which it keeps and never reads, is looked through here: what does not fit is left out.
-import {read_blocks} from "../analyses/analyses";
+import {read_blocks} from "../analyses/analysis_dispatch";
 import {linkage_types, type Pivot, type Point, type TauPair} from "../contract/messages";
-import {objective_descriptions, read_task, requirement_descriptions, task_of_poses} from "../tasks/kinds";
-import type {RequirementDescription} from "../tasks/kind";
+import {objective_descriptions, read_task, requirement_descriptions, task_of_poses} from "../kinds/kind_dispatch";
+import type {RequirementDescription} from "../kinds/kind";
 import {unused_name} from "./pins";
 import {most_pins, type Background, type Pin, type Problem, type SolidBody, type View} from "./problem";
-import {is_finite, is_number, is_object, is_pair, read_list, type Object} from "./shape";
+import {is_finite, is_number, is_object, is_pair, read_list, type JsonObject} from "./shape";
 
 const most_points = 10_000,
   most_pivots = 20,
@@ -161,7 +161,7 @@ const option_checks: Record<string, Check> = {
   measure: is_one_of(["tangent", "strip"]),
 };
 /** The members that are right. One that is not known here belongs to a later version: the engine reads it. */
-function sound(value: unknown, checks: Record<string, Check>): Object | undefined {
+function sound(value: unknown, checks: Record<string, Check>): JsonObject | undefined {
   if (!is_object(value)) return undefined;
   return Object.fromEntries(
     Object.entries(value).filter(([key, member]) => !Object.hasOwn(checks, key) || checks[key]?.(member)),

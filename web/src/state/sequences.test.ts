@@ -6,12 +6,12 @@ import {afterAll, beforeAll, describe, expect, it, vi} from "vitest";
 import {patience_ms, type EngineClient} from "../engine/client";
 import type {Axis, Kind, RequestMessage, Requests, TauPair} from "../contract/messages";
 import {keep_work, own_slot, read_work, type Store} from "../shell/storage";
-import {new_problem} from "../tasks/motion/kind";
-import {function_kind} from "../tasks/function/kind";
+import {new_problem} from "../kinds/motion/kind";
+import {function_kind} from "../kinds/function/kind";
 import {with_requirements, with_view, type Pin, type Problem} from "./problem";
 import {poses_of} from "./task";
 import {Workbench} from "./workbench.svelte";
-import {with_pose, with_poses} from "../tasks/kinds";
+import {with_pose, with_poses} from "../kinds/kind_dispatch";
 
 // ---- an engine that is none -----------------------------------------------------------------------------------------
 

@@ -1,9 +1,9 @@
 // Values that come from outside, looked at one by one.
 import type {Point} from "../contract/messages";
 
-export type Object = Record<string, unknown>;
+export type JsonObject = Record<string, unknown>;
 
-export function is_object(value: unknown): value is Object {
+export function is_object(value: unknown): value is JsonObject {
   return typeof value === "object" && value !== null && !Array.isArray(value);
 }
 export function is_number(value: unknown): value is number {

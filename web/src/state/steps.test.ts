@@ -1,11 +1,11 @@
 import fc from "fast-check";
 import {describe, expect, it} from "vitest";
 import * as arbitrary from "./arbitrary";
-import {from_problem, to_problem, type Document} from "./document";
+import {from_problem, to_problem, type TaskDocument} from "./document";
 import {most_pins, with_view} from "./problem";
 import {read_problem} from "./problem_shape";
 import {read_steps, steps_text} from "./steps";
-import {new_problem} from "../tasks/motion/kind";
+import {new_problem} from "../kinds/motion/kind";
 
 /** As it is written: without members that are undefined. */
 const written = <T>(value: T): T => JSON.parse(JSON.stringify(value));
@@ -35,10 +35,10 @@ describe("every state", () => {
 
 describe("what is stored", () => {
   const image = `data:image/png;base64,${"A".repeat(10_000)}`;
-  const document: Document = from_problem(
+  const document: TaskDocument = from_problem(
     with_view(new_problem(), {background: {image, x: 0, y: 0, width: 1, aspect: 1}}),
   );
-  const step = (i: number): Document => ({...document, picked: {tau: [i, 0], place: null}});
+  const step = (i: number): TaskDocument => ({...document, picked: {tau: [i, 0], place: null}});
   const steps = {past: Array.from({length: 700}, (_, i) => step(i)), present: step(700), future: [step(701)]};
 
   it("has what steps have in common once, and of more than enough steps the last", () => {

@@ -1,14 +1,14 @@
 // The document with the steps of undo about it, as text to be kept between visits. What steps have in common, a picture or
 // the pins, is written once.
-import {from_problem, to_problem, type Document} from "./document";
+import {from_problem, to_problem, type TaskDocument} from "./document";
 import type {Problem} from "./problem";
 import {read_problem} from "./problem_shape";
 import {is_object, is_pair} from "./shape";
 
 export interface Steps {
-  past: readonly Document[];
-  present: Document;
-  future: readonly Document[];
+  past: readonly TaskDocument[];
+  present: TaskDocument;
+  future: readonly TaskDocument[];
 }
 export const most_steps = 500; // that are kept, before and after the present
 
@@ -49,7 +49,7 @@ interface Packed {
   pins: number[];
   place: unknown;
 }
-function packed(document: Document, parts: Parts): Packed {
+function packed(document: TaskDocument, parts: Parts): Packed {
   const {view = {}, ...problem} = to_problem(document),
     {pins = [], ...rest} = view;
   return {
@@ -59,7 +59,7 @@ function packed(document: Document, parts: Parts): Packed {
     place: document.picked?.place ?? null,
   };
 }
-function unpacked(value: unknown, parts: readonly unknown[]): Document | null {
+function unpacked(value: unknown, parts: readonly unknown[]): TaskDocument | null {
   if (!is_object(value)) return null;
   const members = (of: unknown) =>
     Object.fromEntries(Object.entries(is_object(of) ? of : {}).map(([key, at]) => [key, parts[at as number]]));
@@ -70,7 +70,7 @@ function unpacked(value: unknown, parts: readonly unknown[]): Document | null {
   );
 }
 /** As the page has it: the place of what is picked is no part of a problem file. */
-function read_document(problem: unknown, place: unknown): Document | null {
+function read_document(problem: unknown, place: unknown): TaskDocument | null {
   const read = read_problem(problem),
     document = read && from_problem(read);
   return document?.picked && is_pair(place) ? {...document, picked: {...document.picked, place}} : document;
@@ -79,7 +79,7 @@ function read_document(problem: unknown, place: unknown): Document | null {
 /** `problem` first, as it always was, so that an older page finds it. */
 export function steps_text({past, present, future}: Steps, at: number, most = most_steps): string {
   const parts = new Parts(),
-    pack = (document: Document) => packed(document, parts);
+    pack = (document: TaskDocument) => packed(document, parts);
   const before = past.slice(Math.max(past.length - most, 0)).map(pack),
     after = future.slice(Math.max(future.length - most, 0)).map(pack);
   const rest = JSON.stringify({version: 1, at, place: present.picked?.place ?? null, past: before, future: after});
@@ -105,6 +105,6 @@ function parsed(text: string | null): unknown {
 }
 /** The steps with every problem changed. */
 export function mapped({past, present, future}: Steps, change: (problem: Problem) => Problem): Steps {
-  const one = (document: Document): Document => ({...document, problem: change(document.problem)});
+  const one = (document: TaskDocument): TaskDocument => ({...document, problem: change(document.problem)});
   return {past: past.map(one), present: one(present), future: future.map(one)};
 }

@@ -1,8 +1,8 @@
 import {describe, expect, it} from "vitest";
 import {diagonal_of, pattern_of, position_count, same_task, told_position, type Pose} from "./task";
-import type {FunctionTask} from "../tasks/function/task";
-import type {MotionTask} from "../tasks/motion/task";
-import {with_task_poses} from "../tasks/kinds";
+import type {FunctionTask} from "../kinds/function/task";
+import type {MotionTask} from "../kinds/motion/task";
+import {with_task_poses} from "../kinds/kind_dispatch";
 
 const pose = {x: 1, y: 2, theta_deg: 3};
 const motion: MotionTask = {

@@ -8,8 +8,8 @@ export interface Pose {
   theta_deg: number;
   derivatives?: {x: number; y: number; theta: number}[];
 }
-export type Range = readonly [low: number, high: number];
-/** What every task has; the rest is its kind's own (tasks/<kind>/task.ts), which reads and writes it. */
+export type Interval = readonly [low: number, high: number];
+/** What every task has; the rest is its kind's own (kinds/<kind>/task.ts), which reads and writes it. */
 export interface Task {
   readonly kind: string;
   readonly mechanism: string;

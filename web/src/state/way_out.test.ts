@@ -2,8 +2,8 @@ import {expect, it} from "vitest";
 import {Questions} from "../questions/questions";
 import {poses_of} from "./task";
 import {nearest, WayOutSeeker} from "./way_out.svelte";
-import {with_pose_moved} from "../tasks/kinds";
-import {new_problem} from "../tasks/motion/kind";
+import {with_pose_moved} from "../kinds/kind_dispatch";
+import {new_problem} from "../kinds/motion/kind";
 
 it("the nearest square of a halo that has enough left", () => {
   const counts = new Uint32Array(25);

@@ -1,6 +1,6 @@
 // The one state of the page. Views read it and call its actions; none keeps a copy. What is undoable is in `document`
 // (editing.svelte.ts); the rest is how it is being looked at and what the engine answers, for which two followers ask.
-import {analysis_of_card, block_of} from "../analyses/analyses";
+import {analysis_of_card, block_of} from "../analyses/analysis_dispatch";
 import {EngineClient, no_answer, patience_ms} from "../engine/client";
 import {
   whole,
@@ -16,9 +16,9 @@ import {
   type Side,
   type TaskAnswer,
   type TauPair,
-  type Window,
+  type MapWindow,
 } from "../contract/messages";
-import type {Incomplete} from "../tasks/kind";
+import type {Incomplete} from "../kinds/kind";
 import {
   has_lengths,
   gives_linkage,
@@ -30,7 +30,7 @@ import {
   properties_of,
   with_other_task,
   with_pose_moved,
-} from "../tasks/kinds";
+} from "../kinds/kind_dispatch";
 import {Question} from "../questions/question.svelte";
 import {Questions} from "../questions/questions";
 import type {TextKey, Values} from "../texts/texts.svelte";
@@ -68,7 +68,7 @@ export class Workbench extends Editing {
   /** What the engine has said, each with the problem of which it said it. */
   readonly answers = new Answers(this.questions, () => ({problem: this.problem, tau: this.tau_in_hand}));
   incomplete = $state.raw<Incomplete | null>(null);
-  window = $state.raw<Window>(whole);
+  window = $state.raw<MapWindow>(whole);
 
   hovered = $state.raw<TauPair | null>(null);
 
@@ -287,7 +287,7 @@ export class Workbench extends Editing {
     if (map !== this.map_shown) this.window = whole;
     this.map_shown = map;
   }
-  zoom(window: Window): void {
+  zoom(window: MapWindow): void {
     this.window = this.task ? held_window(this.task.axes, window) : window;
     this.refresh();
   }

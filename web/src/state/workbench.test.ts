@@ -5,11 +5,11 @@ import {examples, first_example} from "../gallery/gallery";
 import {pinned_in} from "../pins/pinned_in";
 import {each_linkage} from "./each_linkage";
 import {with_options, with_requirements, type Problem} from "./problem";
-import {fresh_function, function_kind} from "../tasks/function/kind";
-import {pairs_of, with_named} from "../tasks/function/pairs";
-import {new_problem} from "../tasks/motion/kind";
+import {fresh_function, function_kind} from "../kinds/function/kind";
+import {pairs_of, with_named} from "../kinds/function/pairs";
+import {new_problem} from "../kinds/motion/kind";
 import {poses_of} from "./task";
-import {with_pose} from "../tasks/kinds";
+import {with_pose} from "../kinds/kind_dispatch";
 import {bench, digest, settled, until} from "./workbench_bench";
 
 const tailgate = first_example.problem;

@@ -3,7 +3,7 @@ import {describe, expect, it} from "vitest";
 import {examples, first_example} from "../gallery/gallery";
 import {engine_text, with_requirements, type Problem} from "./problem";
 import {poses_of} from "./task";
-import {task_kinds, with_pose, with_poses} from "../tasks/kinds";
+import {task_kinds, with_pose, with_poses} from "../kinds/kind_dispatch";
 import {bench, settled, until} from "./workbench_bench";
 
 const beginnings = task_kinds.flatMap((kind) => kind.beginnings);

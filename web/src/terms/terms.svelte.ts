@@ -2,7 +2,7 @@
 // touched. One is open at a time.
 import type {Attachment} from "svelte/attachments";
 import type {Linkage, LinkageType} from "../contract/messages";
-import {term_of_kind} from "../tasks/kinds";
+import {term_of_kind} from "../kinds/kind_dispatch";
 import type {TermName} from "./pictures";
 
 export interface Explained {

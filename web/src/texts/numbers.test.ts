@@ -1,5 +1,5 @@
 import {expect, it} from "vitest";
-import {point_text} from "../numbers/words";
+import {point_text} from "../numbers/linkage_words";
 import {preferences} from "../state/preferences.svelte";
 import {unbroken} from "./numbers";
 

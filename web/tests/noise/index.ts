@@ -1,7 +1,7 @@
 // An analysis that the page has never heard of: how loud a linkage is.
 import type {AnalysisModule} from "../../src/analyses/analysis";
 import type {RequirementKey} from "../../src/contract/messages";
-import type {PropertyDescription} from "../../src/tasks/kind";
+import type {PropertyDescription} from "../../src/kinds/kind";
 import {is_number, is_object} from "../../src/state/shape";
 
 export interface Noise {

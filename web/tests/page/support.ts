@@ -16,9 +16,9 @@ import {Preferences, preferences} from "../../src/state/preferences.svelte";
 import type {Problem} from "../../src/state/problem";
 import {poses_of} from "../../src/state/task";
 import type {Workbench} from "../../src/state/workbench.svelte";
-import {driver} from "../../src/tasks/given_linkage/speed.svelte";
-import {shown_cognate} from "../../src/tasks/straight_line/cognates.svelte";
-import {load_view} from "../../src/tasks/views";
+import {driver} from "../../src/kinds/given_linkage/speed.svelte";
+import {shown_cognate} from "../../src/kinds/straight_line/cognates.svelte";
+import {load_view} from "../../src/kinds/view_dispatch";
 import {end_threads} from "./thread";
 
 // ---- the page -------------------------------------------------------------------------------------------------------

@@ -4,7 +4,7 @@ import type {Linkage, Point} from "../../src/contract/messages";
 import type {Problem} from "../../src/state/problem";
 import {is_number, is_pair} from "../../src/state/shape";
 import type {Task} from "../../src/state/task";
-import type {TaskModule} from "../../src/tasks/kind";
+import type {TaskModule} from "../../src/kinds/kind";
 
 declare module "../../src/contract/messages" {
   interface Requirements {

@@ -1,7 +1,7 @@
 import {empty_figure, type Figure} from "../../src/figure/figure";
 import {in_plane} from "../../src/figure/mechanism";
 import type {Point} from "../../src/contract/messages";
-import type {TaskView} from "../../src/tasks/view";
+import type {TaskView} from "../../src/kinds/view";
 import Editor from "./Editor.svelte";
 import Picture from "./Picture.svelte";
 import Requirement from "./Requirement.svelte";

@@ -1,6 +1,6 @@
 // How exactly linkages are made, as the problem file has it: half tolerances, in the user's unit and in degrees.
 import type {Problem} from "../../state/problem";
-import {is_number, is_object, present, type Object} from "../../state/shape";
+import {is_number, is_object, present, type JsonObject} from "../../state/shape";
 
 export const length_entries = ["input", "coupler", "output", "ground_pivots", "point"] as const;
 export type LengthEntry = (typeof length_entries)[number];
@@ -45,7 +45,7 @@ function read_limit(value: unknown): Limit | null {
 export function read_tolerances(value: unknown): Tolerances | null {
   if (!is_object(value)) return null;
   const half = (key: keyof Tolerances) => (is_half(value[key]) ? value[key] : null),
-    number = (of: Object, key: string) => (is_number(of[key]) ? of[key] : null);
+    number = (of: JsonObject, key: string) => (is_number(of[key]) ? of[key] : null);
   const exponent = is_object(value.cost) ? number(value.cost, "exponent") : null;
   return present({
     length: read_length(value.length),

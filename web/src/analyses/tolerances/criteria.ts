@@ -1,7 +1,7 @@
 // What linkages can be coloured by, required to be and the best by once it is known how exactly they are made.
 import {most_of} from "../../state/ends";
 import {round_step} from "../../state/problem";
-import type {ObjectiveDescription, PropertyDescription, RequirementDescription} from "../../tasks/kind";
+import type {ObjectiveDescription, PropertyDescription, RequirementDescription} from "../../kinds/kind";
 import type {Criteria} from "../analysis";
 import {length_entries, length_tolerance, type Tolerances} from "./block";
 import type {Making} from "./making";

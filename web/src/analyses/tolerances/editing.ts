@@ -2,7 +2,7 @@
 import {most_of} from "../../state/ends";
 import {round_step, type Problem} from "../../state/problem";
 import type {Task} from "../../state/task";
-import {extent_of, kind_of, with_analysis} from "../../tasks/kinds";
+import {extent_of, kind_of, with_analysis} from "../../kinds/kind_dispatch";
 import {length_entries, length_tolerance, type Limit, type LimitKind, type Tolerances} from "./block";
 import {tolerances as analysis} from "./index";
 import type {Making} from "./making";

@@ -1,11 +1,11 @@
 // Tolerances as the engine of the page takes them.
 import {describe, expect, test} from "vitest";
-import {criteria_of} from "../analyses";
+import {criteria_of} from "../analysis_dispatch";
 import {suggested_limit, suggested_tolerances} from "./editing";
 import {sampled_cells} from "../../region/sampled";
 import {first_example} from "../../gallery/gallery";
 import {engine_text} from "../../state/problem";
-import {incompleteness, properties_of, kind_of, requirements_of, task_kinds} from "../../tasks/kinds";
+import {incompleteness, properties_of, kind_of, requirements_of, task_kinds} from "../../kinds/kind_dispatch";
 import {ask, explored} from "../../../tests/asked_engine";
 
 describe("yields", () => {

@@ -1,7 +1,7 @@
 // Two objectives at once: the transmission angle, and the error that tolerances make of it. All cells of the map that meet
 // the requirements, and those that no other beats in both.
 import type {EngineClient} from "../../engine/client";
-import type {MapAnswer, Property, Replies, TaskAnswer, TauPair, Window} from "../../contract/messages";
+import type {MapAnswer, Property, Replies, TaskAnswer, TauPair, MapWindow} from "../../contract/messages";
 import {Question} from "../../questions/question.svelte";
 import type {Questions} from "../../questions/questions";
 import {engine_text, type Problem} from "../../state/problem";
@@ -14,7 +14,7 @@ interface Studied {
   readonly problem: Problem;
   readonly task: TaskAnswer | null;
   readonly map: MapAnswer | null;
-  readonly window: Window;
+  readonly window: MapWindow;
   readonly gesture: boolean;
   readonly is_current: boolean;
   readonly answers: {readonly map_is_of_present: boolean};
@@ -27,7 +27,7 @@ export interface FrontPoint {
 }
 export interface Front {
   text: string;
-  window: Window;
+  window: MapWindow;
   /** By falling angle, and with it falling error. */
   points: FrontPoint[];
   /** Pairs of angle and error of all cells that meet everything. */

@@ -9,7 +9,7 @@ export interface Making {
   /** That a linkage can be held to; the usual one first. */
   limits: readonly LimitKind[];
 }
-declare module "../../tasks/kind" {
+declare module "../../kinds/kind" {
   interface Analysed {
     tolerances?: Making;
   }

@@ -10,7 +10,7 @@ import SetLimit from "./SetLimit.svelte";
 import {samples_picture} from "./sphere_samples";
 import {tolerance_study_of} from "./study.svelte";
 import ToleranceRow from "./ToleranceRow.svelte";
-import {figures_text} from "./words";
+import {figures_text} from "./figure_words";
 
 export const tolerance_view: AnalysisView = {
   follow(workbench) {

@@ -1,6 +1,6 @@
 import {describe, expect, it} from "vitest";
 import type {ToleranceFigures} from "../../contract/messages";
-import {figures_text} from "./words";
+import {figures_text} from "./figure_words";
 
 const figures = {
   unit: "length",

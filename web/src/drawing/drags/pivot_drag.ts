@@ -5,7 +5,7 @@ import {body_point, placed} from "../../state/problem";
 import type {Spot} from "../curve_samples";
 import {spot_of_tau} from "../curve_samples";
 import type {Target} from "../handles";
-import {reason_of} from "../words";
+import {reason_of} from "../labels";
 import {beyond_edge, beyond_spot, overshoot, slid, type Beyond} from "../sliding";
 import {to_screen, to_user, type Viewport} from "../viewport";
 import type {Bench} from "../bench";

@@ -2,13 +2,13 @@
 import type {Point} from "../../contract/messages";
 import type {Problem} from "../../state/problem";
 import {poses_of, type Pose} from "../../state/task";
-import {with_bend, with_travel} from "../../task/travel";
+import {with_bend, with_travel} from "../../task_panel/travel";
 import {curvature_reach, arm_length, travel_direction, type Target} from "../handles";
 import {angle_note, point_note} from "../notes";
-import {radius_note} from "../words";
+import {radius_note} from "../labels";
 import {align_px, snapped_angle, wrapped_deg, type Keys} from "../snapping";
 import type {Bench} from "../bench";
-import {with_pose, with_poses} from "../../tasks/kinds";
+import {with_pose, with_poses} from "../../kinds/kind_dispatch";
 import {Way, type Drag} from "./drag";
 
 type PoseTarget = Extract<Target, {pose: number}>;
