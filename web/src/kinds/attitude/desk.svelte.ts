@@ -1,6 +1,7 @@
 // What is being looked at of an attitude, how far it is played, and the engine's answer, which follows both.
 import {Question} from "../../questions/question.svelte";
 import {in_form_of} from "../../orientation/orientation";
+import {turn_of, Turning} from "../../orientation/turning.svelte";
 import type {Workbench} from "../../state/workbench.svelte";
 import {prefers_stillness} from "../../transport/play";
 import type {AttitudeReply} from "./reply";
@@ -17,13 +18,13 @@ export class AttitudeDesk {
   /** How far each is played: turns, and shares of one. */
   at = $state.raw<Record<Played, number>>({...played_to});
   playing = $state(false);
-  /** A ring being dragged: from this task, about this axis of the body. */
-  private ring = $state.raw<{from: AttitudeTask; axis: number; angle_deg: number} | null>(null);
+  readonly turning: Turning<AttitudeTask>;
   /** By the text that the engine is given. */
   private readonly question: Question<string, AttitudeReply>;
 
   constructor(private readonly workbench: Workbench) {
     this.question = new Question(workbench.questions, {follows: true});
+    this.turning = new Turning(workbench, {held: () => this.task, ask: () => this.follow(), question: this.question});
   }
 
   get reply(): AttitudeReply | null {
@@ -45,14 +46,15 @@ export class AttitudeDesk {
   // ---- the engine -----------------------------------------------------------------------------------------------------
 
   private get asked(): string | null {
-    const {task, ring, at} = this;
+    const {task, at} = this,
+      {now} = this.turning;
     if (!task) return null;
-    const turn = ring && {axis: [0, 1, 2].map((k) => Number(k === ring.axis)), angle_deg: ring.angle_deg};
-    return JSON.stringify({...(ring?.from ?? task), at, ...(turn ? {turn} : {})});
+    return JSON.stringify({...(now?.from ?? task), at, ...(now ? {turn: turn_of(now)} : {})});
   }
   /** Asks for what is to be shown, if that is something else: to be called where task, ring and play are followed. */
   follow(): void {
-    const {question, ring, workbench} = this,
+    const {question, workbench} = this,
+      {now} = this.turning,
       {document, driver_client} = workbench,
       text = this.asked;
     if (!text || !driver_client) return;
@@ -60,8 +62,8 @@ export class AttitudeDesk {
     const request = async () => (await driver_client.follow("report", {of: "attitude", text})).report as AttitudeReply;
     void question.ask(text, request, {
       taken: (reply) => {
-        if (!ring) workbench.accept(document);
-        else if (this.ring) this.show_turned(reply);
+        if (!now) workbench.accept(document);
+        else this.show_turned(reply);
       },
       refused: ({mistakes}) => {
         if (workbench.refuse(document.problem, mistakes) && !this.task) workbench.refresh(); // back to another kind
@@ -69,43 +71,12 @@ export class AttitudeDesk {
     });
   }
 
-  // ---- rings ----------------------------------------------------------------------------------------------------------
-
-  take_ring(axis: number): void {
-    if (!this.task) return;
-    this.playing = false;
-    this.workbench.begin_gesture();
-    this.ring = {from: this.task, axis, angle_deg: 0};
-  }
-  turn_ring(angle_deg: number): void {
-    if (!this.ring) return;
-    if (!this.workbench.gesture) return void (this.ring = null); // taken back meanwhile
-    const rounded = Math.round(angle_deg * 10) / 10;
-    if (rounded !== this.ring.angle_deg) this.ring = {...this.ring, angle_deg: rounded};
-    this.follow();
-  }
   /** The task is what the engine says has come of the turn, in the form in which it was given. */
   private show_turned({convert}: AttitudeReply): void {
-    const {ring} = this;
-    if (!ring) return;
-    const orientation = in_form_of(convert, ring.from.orientation);
+    const turn = this.turning.now;
+    if (!turn) return;
+    const orientation = in_form_of(convert, turn.from.orientation);
     this.workbench.drag((problem) => ({...problem, task: {...problem.task, orientation} as AttitudeTask}));
-  }
-  async leave_ring(): Promise<void> {
-    await this.question.underway;
-    this.ring = null;
-    this.workbench.end_gesture();
-  }
-  drop_ring(): void {
-    this.ring = null;
-    this.workbench.cancel_gesture();
-  }
-  /** By keys: a turn at once. */
-  async step_ring(axis: number, angle_deg: number): Promise<void> {
-    if (this.ring) return;
-    this.take_ring(axis);
-    this.turn_ring(angle_deg);
-    await this.leave_ring();
   }
 
   // ---- play -----------------------------------------------------------------------------------------------------------

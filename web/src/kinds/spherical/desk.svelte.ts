@@ -2,6 +2,7 @@
 import {EachOnce} from "../../questions/each_once.svelte";
 import {Question} from "../../questions/question.svelte";
 import {in_form_of, type Converted, type Orientation} from "../../orientation/orientation";
+import {turn_of, Turning, type Turn} from "../../orientation/turning.svelte";
 import type {Workbench} from "../../state/workbench.svelte";
 import {
   is_spherical,
@@ -12,19 +13,17 @@ import {
   type SphericalTask,
 } from "./task";
 
-interface Ring {
-  from: SphericalTask;
+interface Held {
+  task: SphericalTask;
   index: number;
-  axis: number;
-  angle_deg: number;
 }
 const first_turn_deg = 10; // of one that is added, about z
 
 export class SphericalDesk {
   private readonly orientations: EachOnce<PrescribedOrientation, Converted>;
-  private readonly ring_turned: Question<Ring, Converted>;
+  readonly turning: Turning<Held>;
+  private readonly turned: Question<Turn<Held>, Converted>;
   private readonly next: Question<PrescribedOrientation, Converted>;
-  private ring: Ring | null = null;
 
   constructor(private readonly workbench: Workbench) {
     this.orientations = new EachOnce(workbench, text_of, async (client, one, signal) => {
@@ -32,7 +31,12 @@ export class SphericalDesk {
         {report} = await client.run({kind: "report", of: "orientation", text}, {signal});
       return (report as {convert: Converted}).convert;
     });
-    this.ring_turned = new Question(workbench.questions, {follows: true});
+    this.turned = new Question(workbench.questions, {follows: true});
+    this.turning = new Turning(workbench, {
+      held: () => (this.task && this.selected !== null ? {task: this.task, index: this.selected} : null),
+      ask: (turn) => void this.follow_turn(turn),
+      question: this.turned,
+    });
     this.next = new Question(workbench.questions);
   }
 
@@ -82,7 +86,7 @@ export class SphericalDesk {
   }
   /** The same where there is no engine to turn it. */
   private async beside(orientation: PrescribedOrientation): Promise<PrescribedOrientation> {
-    const text = turn_text(orientation, 2, first_turn_deg),
+    const text = turn_text(orientation, {axis: 2, angle_deg: first_turn_deg}),
       bare = without_rates(orientation),
       client = this.workbench.driver_client;
     if (!client) return bare;
@@ -102,60 +106,29 @@ export class SphericalDesk {
 
   // ---- rings ----------------------------------------------------------------------------------------------------------
 
-  take_ring(axis: number): void {
-    const {task, selected} = this;
-    if (!task || selected === null) return;
-    this.workbench.playing = false;
-    this.workbench.begin_gesture();
-    this.ring = {from: task, index: selected, axis, angle_deg: 0};
-  }
-  turn_ring(angle_deg: number): void {
-    if (!this.ring) return;
-    if (!this.workbench.gesture) return void (this.ring = null); // taken back meanwhile
-    const rounded = Math.round(angle_deg * 10) / 10;
-    if (rounded === this.ring.angle_deg) return;
-    this.ring = {...this.ring, angle_deg: rounded};
-    void this.follow_ring(this.ring);
-  }
   /** The task is what the engine says has come of the turn, in the form in which it was given. */
-  private async follow_ring(ring: Ring): Promise<void> {
+  private async follow_turn(turn: Turn<Held>): Promise<void> {
     const client = this.workbench.driver_client,
-      before = ring.from.orientations[ring.index];
+      {task, index} = turn.from,
+      before = task.orientations[index];
     if (!client || !before) return;
-    const text = turn_text(before, ring.axis, ring.angle_deg);
+    const text = turn_text(before, turn);
     const request = async () =>
       ((await client.follow("report", {of: "orientation", text})).report as {convert: Converted}).convert;
     const taken = (convert: Converted) => {
-      if (this.ring?.from !== ring.from) return;
+      if (this.turning.now?.from !== turn.from) return;
       const after = turned(before, in_form_of(convert, without_rates(before)));
       this.orientations.put(after, convert);
       this.workbench.drag((problem) => ({
         ...problem,
-        task: {...ring.from, orientations: ring.from.orientations.toSpliced(ring.index, 1, after)} as SphericalTask,
+        task: {...task, orientations: task.orientations.toSpliced(index, 1, after)} as SphericalTask,
       }));
     };
-    await this.ring_turned.ask(ring, request, {taken});
-  }
-  async leave_ring(): Promise<void> {
-    await this.ring_turned.underway;
-    this.ring = null;
-    this.workbench.end_gesture();
-  }
-  drop_ring(): void {
-    this.ring = null;
-    this.workbench.cancel_gesture();
-  }
-  /** By keys: a turn at once. */
-  async step_ring(axis: number, angle_deg: number): Promise<void> {
-    if (this.ring) return;
-    this.take_ring(axis);
-    this.turn_ring(angle_deg);
-    await this.leave_ring();
+    await this.turned.ask(turn, request, {taken});
   }
 }
-function turn_text(orientation: PrescribedOrientation, about: number, angle_deg: number): string {
-  const axis = [0, 1, 2].map((k) => Number(k === about));
-  return JSON.stringify({orientation: without_rates(orientation), turn: {axis, angle_deg}});
+function turn_text(orientation: PrescribedOrientation, turn: Pick<Turn<unknown>, "axis" | "angle_deg">): string {
+  return JSON.stringify({orientation: without_rates(orientation), turn: turn_of(turn)});
 }
 function text_of(prescribed: PrescribedOrientation): string {
   const bare: Orientation = without_rates(prescribed);
