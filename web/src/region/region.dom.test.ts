@@ -1,4 +1,5 @@
 // The solution region by keys and by its legend: walk-throughs 4, 5, 6, 9 and 12.
+import {tick} from "svelte";
 import {beforeEach, expect, test} from "vitest";
 import {
   all,
@@ -16,6 +17,7 @@ import {
   until_there,
   workbench,
 } from "../../tests/page/support";
+import {times_made} from "../../tests/page/times_made.svelte";
 import {example, solve} from "../../tests/program";
 import {place_of} from "../engine/axis";
 import type {TauPair} from "../contract/messages";
@@ -65,6 +67,25 @@ test("4 · what is pointed at is another linkage, as the program computes it", a
   await hover(null);
   expect(hand().tau).toEqual(picked.tau);
   expect(hand().lengths).toEqual(picked.lengths);
+});
+
+test("what is made of the linkage in hand is made once for each: not when another is asked for or required", async () => {
+  const made = times_made(() => workbench.hand);
+  await tick();
+  workbench.hover(cell);
+  await tick();
+  expect(made.count).toBe(1);
+  await until_settled();
+  expect(made.count).toBe(2);
+  workbench.begin_gesture();
+  workbench.drag((problem) => ({
+    ...problem,
+    requirements: {...problem.requirements, min_transmission_angle_deg: 31},
+  }));
+  await tick();
+  expect(made.count).toBe(2);
+  workbench.cancel_gesture();
+  made.stop();
 });
 
 test("4 · the ten best stand beside the map, in the program's order: looked at, taken in hand, pinned", async () => {

@@ -12,6 +12,11 @@ export type Halo = Replies["halo"] & {part: number; mode: "move" | "turn"};
 interface Of {
   problem: Problem;
 }
+/** The problem in force, and which linkage is to be in hand. */
+interface Asked {
+  readonly problem: Problem;
+  readonly tau_in_hand: TauPair | null;
+}
 
 export class Answers {
   readonly explored: Question<Of, Replies["explore"]>;
@@ -26,17 +31,16 @@ export class Answers {
   /** What the last map took the engine. */
   engine_ms = $state(0);
 
-  /** `asked`: the problem in force and the linkage that is to be in hand. */
   constructor(
     questions: Questions,
-    private readonly asked: () => {problem: Problem; tau: TauPair | null},
+    private readonly asked: Asked,
   ) {
-    const is_present = ({problem}: Of) => same_question(problem, asked().problem);
+    const is_present = ({problem}: Of) => same_question(problem, asked.problem);
     this.explored = new Question(questions, {follows: true, is_present});
     this.counted = new Question(questions, {is_present});
     this.held = new Question(questions, {
       same: same_linkage,
-      is_present: (of) => is_present(of) && same_tau(of.tau, asked().tau),
+      is_present: (of) => is_present(of) && same_tau(of.tau, asked.tau_in_hand),
     });
     this.picked = new Question(questions);
     this.along = new Question(questions, {same: same_linkage});
@@ -53,15 +57,12 @@ export class Answers {
   get census(): Census | null {
     return this.map && this.counted.value;
   }
-  get hand(): Linkage | null {
-    return this.shown(this.held);
-  }
-  get picked_linkage(): Linkage | null {
-    return this.shown(this.picked);
-  }
+  // Most of the page is made of the linkage in hand, and is not to be made anew where only the problem is another.
+  readonly hand = $derived.by(() => this.shown(this.held));
+  readonly picked_linkage = $derived.by(() => this.shown(this.picked));
   /** A linkage of another kind is put together otherwise: it cannot stand for the one that is to come. */
   private shown({of, value}: Question<LinkageOf, Linkage>): Linkage | null {
-    return of && this.has_linkages && kind_of(of.problem.task) === kind_of(this.asked().problem.task) ? value : null;
+    return of && this.has_linkages && kind_of(of.problem.task) === kind_of(this.asked.problem.task) ? value : null;
   }
   get live(): Live | null {
     return this.hand && this.along.value;
@@ -71,7 +72,7 @@ export class Answers {
   }
   /** Of the task in force, if not at the place asked for. */
   get hand_is_of_present(): boolean {
-    return this.hand !== null && same_question(this.held.of!.problem, this.asked().problem);
+    return this.hand !== null && same_question(this.held.of!.problem, this.asked.problem);
   }
   get map_outdated(): boolean {
     return this.explored.stale;
@@ -87,7 +88,7 @@ export class Answers {
     return this.picked.of !== null && same_question(this.picked.of.problem, problem);
   }
   private get has_linkages(): boolean {
-    const {task} = this.asked().problem;
+    const {task} = this.asked.problem;
     if (!gives_linkage(task)) return this.task?.status === "solved";
     return this.held.of !== null && kind_of(this.held.of.problem.task) === kind_of(task); // not that of the task before
   }

@@ -66,7 +66,7 @@ const search_patience = 10;
 export class Workbench extends Editing {
   readonly questions = new Questions();
   /** What the engine has said, each with the problem of which it said it. */
-  readonly answers = new Answers(this.questions, () => ({problem: this.problem, tau: this.tau_in_hand}));
+  readonly answers = new Answers(this.questions, this);
   incomplete = $state.raw<Incomplete | null>(null);
   window = $state.raw<MapWindow>(whole);
 
