@@ -52,13 +52,18 @@ export function term_of_defects({order, branch, circuit}: Linkage["defects"]): T
 }
 export const tip_id = "term_tip";
 
+type Explaining = Attachment<HTMLElement | SVGElement>;
+const without_hint: {[name in TermName]?: Explaining} = {};
+
 /** Explains a word on a thing that has another use already: a button, a cell. Words alone take a Term. */
-export function explains(
-  name: TermName | null,
-  hint: () => string | null = () => null,
-): Attachment<HTMLElement | SVGElement> {
-  return (element: HTMLElement | SVGElement) => {
-    if (!name) return;
+export function explains(name: TermName | null, hint?: () => string): Explaining | null {
+  if (!name) return null;
+  if (hint) return explaining(name, hint);
+  // The same one for the same word: another one is attached anew whenever what it was chosen by is another.
+  return (without_hint[name] ??= explaining(name, () => null));
+}
+function explaining(name: TermName, hint: () => string | null): Explaining {
+  return (element) => {
     const events = new AbortController(),
       {signal} = events;
     element.addEventListener(
