@@ -1,6 +1,6 @@
 // How linkages are put together: what a kind of task tells of its linkages so that they can be placed and drawn.
 import type {Drive, Linkage, Pivot, Point, Side} from "../contract/messages";
-import {joints_at, row_count, row_joints, row_state, state_at, type State} from "../state/drive";
+import {joints_at, row_count, row_joints, row_pose, row_state, state_at, type State} from "../state/drive";
 import {least_of, most_of} from "../state/ends";
 import {placed, type Pin} from "../state/problem";
 import type {Body, End, Ends, Figure, Place, Role, Trace} from "./figure";
@@ -95,10 +95,10 @@ export function path_of(
   point: Point,
   [first, last]: readonly [number, number] = [0, row_count(drive) - 1],
 ): Point[] {
-  return Array.from({length: last - first + 1}, (_, i) => placed(point, row_state(drive, first + i)));
+  return Array.from({length: last - first + 1}, (_, i) => placed(point, row_pose(drive, first + i)));
 }
 /** The ways of the guided body's origin, if there is a body, and of chosen points of it. */
-export function traces_of({drive}: Linkage, has_body: boolean, chosen: readonly Point[]): Trace[] {
+export function traces_of({drive}: Pick<Linkage, "drive">, has_body: boolean, chosen: readonly Point[]): Trace[] {
   if (!drive) return [];
   const origin: Point = [0, 0],
     rows = task_rows(drive),

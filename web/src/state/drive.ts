@@ -21,6 +21,13 @@ export function row_state(drive: Drive, row: number): State {
   return state;
 }
 
+const [x_at, y_at, theta_at] = (["x", "y", "theta_deg"] as const).map((name) => state_columns.indexOf(name));
+/** Where the guided body is: of a whole way nothing else is wanted. */
+export function row_pose({states, width}: Table, row: number): Pick<State, "x" | "y" | "theta_deg"> {
+  const at = row * width;
+  return {x: states[at + x_at!]!, y: states[at + y_at!]!, theta_deg: states[at + theta_at!]!};
+}
+
 /** All hinges of a six-bar. */
 export function row_joints(drive: Drive, row: number): Point[] {
   const found: Point[] = [];
