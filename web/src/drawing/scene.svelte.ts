@@ -105,8 +105,12 @@ export class Scene implements Surface {
     };
   });
 
+  private readonly curves = $derived.by(() => this.workbench.task?.curves);
+  private readonly output_curves = $derived.by(() => this.workbench.task?.output_curves);
+  private readonly axes = $derived.by(() => this.workbench.task?.axes);
   readonly samples = $derived.by(() => {
-    const task = this.workbench.task;
+    void [this.curves, this.output_curves, this.axes]; // not with what is required
+    const task = untrack(() => this.workbench.task);
     // Where a point is guided each linkage is found whole: there are no grounded links to choose by themselves.
     if (!task || this.mechanism.guides_a_point) return {input: null, output: null};
     const points = untrack(() => anchors_of(this.workbench.problem.task)),

@@ -26,16 +26,18 @@ export class RegionView {
   alt = $state(false);
   whole_picture = $state.raw<{canvas: HTMLCanvasElement} | null>(null);
 
+  private readonly axes = $derived.by(() => this.workbench.task?.axes);
   /** A map of one column lies on its side, and low: a ribbon. */
-  readonly ribbon = $derived.by(() => this.workbench.task !== null && is_ribbon(this.workbench.task.axes));
+  readonly ribbon = $derived.by(() => this.axes !== undefined && is_ribbon(this.axes));
   /** Of the cells, in pixels; the map is as wide as its size. */
   readonly height = $derived(this.ribbon ? ribbon_px : this.size);
   readonly sides: {up: Side; across: Side} = $derived(
     this.ribbon ? {up: "output", across: "input"} : {up: "input", across: "output"},
   );
   readonly frame: Frame = $derived.by(() => {
-    const {task, window} = this.workbench;
-    const scale = (side: Side, size: number) => make_scale(task?.axes[side].blocks ?? [], window[side], size);
+    const {axes} = this,
+      {window} = this.workbench;
+    const scale = (side: Side, size: number) => make_scale(axes?.[side].blocks ?? [], window[side], size);
     return {up: scale(this.sides.up, this.height), across: scale(this.sides.across, this.size)};
   });
   /** Where the picked linkage stands. */

@@ -7,6 +7,7 @@ import type {Answers} from "./answers.svelte";
 import {gives_linkage} from "../kinds/kind_dispatch";
 import {same_linkage, same_tau, type TaskDocument, type LinkageOf} from "./document";
 import {engine_text, same_question, type Problem} from "./problem";
+import {sharing} from "./sharing";
 
 interface Followed {
   readonly questions: Questions;
@@ -70,8 +71,9 @@ export class LinkageFollower {
     return {picked: answers.map_is_of_present ? null : wanted, live: this.wants_live};
   }
   /** What a map has brought; what has come in hand meanwhile is still to be fetched. */
-  take({linkage, live}: Replies["explore"], of: Problem): void {
-    const {answers, tau_in_hand} = this.followed;
+  take({linkage: found, live}: Replies["explore"], of: Problem): void {
+    const {answers, tau_in_hand} = this.followed,
+      linkage = found && sharing(found, answers.hand);
     if (linkage && same_tau(linkage.tau, tau_in_hand)) {
       answers.take_hand(linkage, of);
       this.take_live(live, {problem: of, tau: linkage.tau});

@@ -15,6 +15,7 @@ import type {Answers} from "./answers.svelte";
 import {property_of, sampled_properties} from "../kinds/kind_dispatch";
 import {settled_on, type TaskDocument} from "./document";
 import {engine_text, same_question, type Problem} from "./problem";
+import {sharing} from "./sharing";
 import {YieldSampler, type YieldProgress} from "./yield_sampler";
 
 interface Mapped {
@@ -134,7 +135,7 @@ export class MapFollower {
       this.calm();
       if (request.samples === even_samples) this.weigh(reply.engine_ms);
       const taken_back = mapped.answers.map_is_of_present && !same_question(document.problem, mapped.problem); // a drag
-      return mapped.incomplete || taken_back ? null : reply;
+      return mapped.incomplete || taken_back ? null : {...reply, task: sharing(reply.task, mapped.answers.task)};
     } catch (error) {
       if (error instanceof Superseded) throw error;
       this.calm();
