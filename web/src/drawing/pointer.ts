@@ -2,6 +2,7 @@
 import {tick} from "svelte";
 import type {Attachment} from "svelte/attachments";
 import type {Point} from "../contract/messages";
+import {Fingers} from "../look/fingers";
 import {add_draft_corner, add_position, click_target, focus_handle, poses_are_wanted, toggle_traced} from "./actions";
 import {box_drag, rubber_drag} from "./drags/box_drags";
 import type {Bench} from "./bench";
@@ -61,7 +62,7 @@ export function follow_pointer(bench: Bench): Attachment<SVGSVGElement> {
 
 class Pointer {
   private press: Press | null = null;
-  private readonly fingers = new Map<number, Point>();
+  private readonly fingers = new Fingers();
   private last_click: {at: Point; time: number; visited: string[]} | null = null;
 
   constructor(
@@ -82,9 +83,9 @@ class Pointer {
     if (event.button > 1) return;
     if (event.button === 1) event.preventDefault(); // no scrolling by the middle button
     this.svg.setPointerCapture(event.pointerId);
-    if (touch) this.fingers.set(event.pointerId, at);
+    if (touch) this.fingers.down(event.pointerId, at);
     if (this.press) return touch ? this.drop_press() : undefined;
-    if (this.fingers.size > 1) return;
+    if (this.fingers.count > 1) return;
     this.bench.scene.touched = true;
     this.bench.scene.spot = null;
     const targets = event.button === 1 ? [] : this.targets(at, touch);
@@ -109,10 +110,8 @@ class Pointer {
   move(event: PointerEvent): void {
     const at = this.place(event),
       {press} = this;
-    if (this.fingers.has(event.pointerId)) {
-      if (this.fingers.size === 2) return this.pinch(event.pointerId, at);
-      this.fingers.set(event.pointerId, at);
-    }
+    this.fingers.move(event.pointerId, at);
+    if (this.fingers.count === 2 && this.fingers.has(event.pointerId)) return this.pinch();
     if (!press) return this.hover(at, event.pointerType === "touch");
     if (press.id !== event.pointerId) return;
     press.at = at;
@@ -136,7 +135,7 @@ class Pointer {
     press.in_gesture = this.bench.workbench.gesture;
   }
   up(event: PointerEvent): void {
-    this.fingers.delete(event.pointerId);
+    this.fingers.up(event.pointerId);
     const {press} = this;
     if (!press || press.id !== event.pointerId) return;
     this.press = null;
@@ -148,7 +147,7 @@ class Pointer {
     this.hover(this.place(event), press.touch);
   }
   lost(event: PointerEvent): void {
-    this.fingers.delete(event.pointerId);
+    this.fingers.up(event.pointerId);
     if (this.press?.id === event.pointerId) this.drop_press();
   }
   abort(): void {
@@ -313,17 +312,12 @@ class Pointer {
       this.place(event),
     );
   }
-  private pinch(id: number, at: Point): void {
+  private pinch(): void {
     const {scene} = this.bench,
-      before = this.fingers.get(id)!;
-    const [other] = [...this.fingers].filter(([key]) => key !== id).map(([, point]) => point);
-    if (!other) return;
-    const apart = (p: Point) => Math.max(Math.hypot(p[0] - other[0], p[1] - other[1]), 10);
-    const middle = (p: Point): Point => [(p[0] + other[0]) / 2, (p[1] + other[1]) / 2];
-    const from = middle(before),
-      to = middle(at);
+      pinch = this.fingers.pinched();
+    if (!pinch) return;
+    const {from, to, spread} = pinch;
     scene.touched = true;
-    scene.view = zoomed(panned(scene.view, to[0] - from[0], to[1] - from[1]), apart(at) / apart(before), to);
-    this.fingers.set(id, at);
+    scene.view = zoomed(panned(scene.view, to[0] - from[0], to[1] - from[1]), spread, to);
   }
 }

@@ -1,6 +1,7 @@
 // What the pointer does on the map: mouse and pen hover, pick, box and pan; fingers hover with the crosshair above them,
 // pick on lifting, and zoom by two.
 import {whole, type Picked, type Point} from "../contract/messages";
+import {Fingers} from "../look/fingers";
 import type {RegionView} from "./view.svelte";
 import {boxed, panned, zoomed} from "./zoom";
 
@@ -17,11 +18,11 @@ type Doing =
   | {kind: "band"; from: Point}
   | {kind: "pan"; from: Point; last: Point; button: number; moved: boolean}
   | {kind: "touch"; from: Point; dragging: boolean}
-  | {kind: "pinch"; middle: Point; spread: number; moved: boolean};
+  | {kind: "pinch"};
 
 export class MapPointer {
   private doing: Doing | null = null;
-  private touches = new Map<number, Point>();
+  private readonly fingers = new Fingers();
   private waiting: (() => void) | null = null;
   private frame = 0;
   private last_click: {at: Point; time: number; label: string; before: Picked | null} | null = null;
@@ -59,7 +60,7 @@ export class MapPointer {
   /** Everything under way is given up. True if there was something. */
   cancel(): boolean {
     const busy = this.doing !== null && this.doing.kind !== "press";
-    this.touches.clear();
+    this.fingers.clear();
     this.end();
     return busy;
   }
@@ -128,38 +129,34 @@ export class MapPointer {
   // ---- fingers ------------------------------------------------------------------------------------------------
 
   private touch_down(id: number, at: Point): void {
-    this.touches.set(id, at);
-    if (this.touches.size === 1) {
+    this.fingers.down(id, at);
+    if (this.fingers.count === 1) {
       this.doing = {kind: "touch", from: at, dragging: false};
       return;
     }
     this.view.leave();
-    const [a, b] = this.touches.values();
-    if (a && b) this.doing = {kind: "pinch", middle: middle(a, b), spread: apart(a, b), moved: true};
+    this.doing = {kind: "pinch"};
   }
   private touch_move(id: number, at: Point): void {
-    if (!this.touches.has(id)) return;
-    this.touches.set(id, at);
+    if (!this.fingers.has(id)) return;
+    this.fingers.move(id, at);
     const doing = this.doing;
-    if (doing?.kind === "pinch") this.later(() => this.pinch(doing));
+    if (doing?.kind === "pinch") this.later(() => this.pinch());
     if (doing?.kind !== "touch") return;
     doing.dragging ||= apart(doing.from, at) > touch_drag_px;
     if (doing.dragging) this.later(() => this.view.hover(above(at)));
   }
-  private pinch(doing: Doing & {kind: "pinch"}): void {
-    const [a, b] = this.touches.values();
-    if (!a || !b) return;
-    const now = middle(a, b),
-      spread = Math.max(apart(a, b), 1),
+  private pinch(): void {
+    const pinch = this.fingers.pinched();
+    if (!pinch) return;
+    const {from, to, spread} = pinch,
       {workbench, size} = this.view;
-    const around = zoomed(workbench.window, this.view.place(doing.middle), doing.spread / spread);
-    workbench.zoom(panned(around, (now[1] - doing.middle[1]) / size, (doing.middle[0] - now[0]) / size));
-    doing.middle = now;
-    doing.spread = spread;
+    const around = zoomed(workbench.window, this.view.place(from), 1 / spread);
+    workbench.zoom(panned(around, (to[1] - from[1]) / size, (from[0] - to[0]) / size));
   }
   private touch_up(id: number, at: Point): void {
     this.flush();
-    if (!this.touches.delete(id)) return;
+    if (!this.fingers.up(id)) return;
     const doing = this.doing;
     if (doing?.kind === "touch") {
       const target = doing.dragging ? this.view.target(above(at)) : null;
@@ -167,7 +164,7 @@ export class MapPointer {
       else if (!doing.dragging) this.click(at, performance.now(), double_touch_px);
       this.view.leave();
     }
-    if (this.touches.size === 0) this.end();
+    if (this.fingers.count === 0) this.end();
   }
 
   // ---- one thing a frame --------------------------------------------------------------------------------------
@@ -196,9 +193,6 @@ export class MapPointer {
 
 function apart(a: Point, b: Point): number {
   return Math.hypot(a[0] - b[0], a[1] - b[1]);
-}
-function middle(a: Point, b: Point): Point {
-  return [(a[0] + b[0]) / 2, (a[1] + b[1]) / 2];
 }
 function above([x, y]: Point): Point {
   return [x, y - finger_px];
