@@ -1,12 +1,8 @@
 // The engine as it is built for the page: every case has a map, and what is told of its linkages agrees with itself.
-import {execFileSync} from "node:child_process";
-import {existsSync, mkdtempSync, rmSync, writeFileSync} from "node:fs";
-import {tmpdir} from "node:os";
-import {join} from "node:path";
-import {fileURLToPath} from "node:url";
 import {describe, expect, it} from "vitest";
 import {whole, type MapAnswer, type TauPair} from "../../contract/messages";
 import {ask} from "../../../tests/asked_engine";
+import {solve} from "../../../tests/program";
 import {examples} from "../../gallery/gallery";
 import {row_state} from "../../state/drive";
 import {engine_text, with_task, type Problem} from "../../state/problem";
@@ -95,20 +91,11 @@ describe.each(mapped)("$name", ({problem}) => {
   });
 });
 
-const program = fileURLToPath(new URL("../../../../build/release/bin/linkwright", import.meta.url));
 /** What the program lists. */
 function listed(problem: Problem, region_samples = 40) {
-  const options = {...problem.options, region_samples, best: 3},
-    folder = mkdtempSync(join(tmpdir(), "linkwright-"));
-  try {
-    const file = join(folder, "problem.json");
-    writeFileSync(file, JSON.stringify({...problem, options}));
-    return JSON.parse(execFileSync(program, ["solve", file, "-o", "-"], {encoding: "utf8"})).linkages;
-  } finally {
-    rmSync(folder, {recursive: true});
-  }
+  return solve({...problem, options: {...problem.options, region_samples, best: 3}}).linkages;
 }
-describe.runIf(existsSync(program)).each(mapped)("$name, as the program lists it", ({problem}) => {
+describe.each(mapped)("$name, as the program lists it", ({problem}) => {
   it("is told the same of its linkages", () => {
     const {task} = explore(problem, 20),
       {input, output} = ranges_of(task.axes);
@@ -137,7 +124,6 @@ describe("the strip where it lies best", () => {
     const [best] = shares(1),
       [first] = shares(10);
     expect(best).toBe(first);
-    if (!existsSync(program)) return;
     const [theirs] = listed(problem, 400);
     expect(Math.abs(theirs.stroke_over_longest / best! - 1)).toBeLessThan(1e-4);
   });
