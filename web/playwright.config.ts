@@ -19,8 +19,7 @@ export default defineConfig({
   fullyParallel: true,
   forbidOnly: true,
   workers: 2,
-  // Browsers on a busy machine: what passes the second time is reported as flaky.
-  retries: 1,
+  retries: 0,
   // Against hanging alone: ten times what the slowest took on a busy machine.
   timeout: 180_000,
   expect: {timeout: 60_000},

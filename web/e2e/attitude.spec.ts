@@ -10,8 +10,7 @@ interface Turned {
 const task = (page: Page) => read_state(page, ({problem}) => problem.task as unknown as Turned);
 const numbers = (text: string) => (text.replaceAll("−", "-").match(/-?\d+(\.\d+)?/g) ?? []).map(Number);
 
-async function open_attitude(page: Page): Promise<void> {
-  await open_workbench(page);
+async function begin_attitude(page: Page): Promise<void> {
   await page.getByTestId("bar.new").click();
   await page.getByTestId("new.attitude").click();
   await page.getByTestId("new.create").click();
@@ -27,10 +26,11 @@ async function beside(page: Page, testid: string, dx: number, dy: number) {
   return {x: x + dx, y: y + dy};
 }
 
-test("a ring is dragged: every form follows, in one step that is taken back; a ring is turned by keys; a picture is taken", async ({
+test("a ring is dragged: every form follows, in one step that is taken back; a ring is turned by keys; a picture is taken; and on a phone", async ({
   page,
 }) => {
-  await open_attitude(page);
+  await open_workbench(page);
+  await begin_attitude(page);
   const before = await quaternion(page);
   const knob = await middle_of(page.getByTestId("attitude.view.ring.x"));
   await drag(page, knob, await beside(page, "attitude.view.ring.x", 30, -60), 8);
@@ -64,12 +64,11 @@ test("a ring is dragged: every form follows, in one step that is taken back; a r
   const [picture] = await Promise.all([page.waitForEvent("download"), page.getByTestId("export.task.png").click()]);
   expect(picture.suggestedFilename()).toBe("linkage.png");
   expect(readFileSync(await picture.path()).length).toBeGreaterThan(5000);
-});
+  await page.keyboard.press("Escape");
 
-test.describe("on a phone", () => {
-  test.use({viewport: {width: 390, height: 844}});
-  test("view and numbers stand one above the other", async ({page}) => {
-    await open_attitude(page);
+  await test.step("on a phone view and numbers stand one above the other", async () => {
+    await begin_attitude(page);
+    await page.setViewportSize({width: 390, height: 844});
     const before = await quaternion(page);
     await drag(
       page,

@@ -1,4 +1,4 @@
-// What is given beside three positions, by hand; three and five positions on a phone.
+// What is given beside three positions, by hand. On a phone: phone.spec.ts.
 import type {Page} from "@playwright/test";
 import type {Linkage, Point} from "../src/contract/messages";
 import type {Given, MotionTask} from "../src/kinds/motion/task";
@@ -6,7 +6,6 @@ import {
   drag,
   example,
   expect,
-  expect_accessible,
   keep_screenshot,
   map_hash,
   middle_of,
@@ -78,7 +77,8 @@ test("three positions: a length is dragged as a ring, the instant centre as a cr
 
   // The instant centre: an ordinary map again, with its mirror.
   await page.getByTestId("given.instant_center").click();
-  await page.waitForFunction(() => globalThis.__linkwright!.workbench.task!.symmetric);
+  await until_settled(page);
+  expect(await read_state(page, ({task}) => task!.symmetric)).toBe(true);
   const cross = await middle_of(handle(page, "instant_center"));
   await drag(page, cross, {x: cross.x + 20, y: cross.y - 12});
   await until_settled(page);
@@ -104,31 +104,4 @@ test("three positions: a length is dragged as a ring, the instant centre as a cr
   await page.keyboard.press("Control+z");
   await until_settled(page);
   expect(await given(page)).toEqual({ground_pivots: {input: [120, 340], output: [200, 340]}});
-});
-
-test("three and five positions in Chinese, in the dark, on a phone", async ({page}) => {
-  await page.setViewportSize({width: 390, height: 844});
-  await open_workbench(page);
-  await page.evaluate(() => {
-    const {preferences} = globalThis.__linkwright as unknown as {preferences: {language: string; theme: string}};
-    preferences.language = "zh";
-    preferences.theme = "dark";
-  });
-  for (const name of ["latch", "nose_gear"]) {
-    await open_example(page, name);
-    await read_state(page, (workbench) => void (workbench.sheet = "task"));
-    await expect(page.getByTestId("task.kind")).toHaveText(/四杆机构/);
-    await expect_accessible(page);
-    const small = await page
-      .locator("button:visible")
-      .evaluateAll((buttons) =>
-        buttons
-          .filter((b) => b.getBoundingClientRect().height < 43.5 && !b.closest("svg"))
-          .map((b) => b.outerHTML.slice(0, 100)),
-      );
-    expect(small).toEqual([]);
-    await keep_screenshot(page, `phone-${name}`);
-    await read_state(page, (workbench) => void (workbench.sheet = null));
-    expect(await page.evaluate(() => document.documentElement.scrollWidth <= innerWidth)).toBe(true);
-  }
 });

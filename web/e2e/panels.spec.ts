@@ -8,6 +8,7 @@ import {
   open_settled,
   poses_of_page,
   read_state,
+  set_theme,
   test,
   type_into,
   until_settled,
@@ -94,6 +95,7 @@ test("a requirement's slider is live, one drag is one undo, Esc takes it back; r
   await until_settled(page);
   expect(await meeting(page)).toBe(0);
   expect(await tops()).toEqual(stood);
+  await keep_screenshot(page, "none-left");
 
   await read_state(page, (workbench) => {
     while (workbench.can_undo) workbench.undo();
@@ -116,16 +118,17 @@ test("the panels and what they open are accessible, light and dark; files and th
 }) => {
   await context.grantPermissions(["clipboard-read", "clipboard-write"]);
   await page.getByTestId("pin.add").click();
+  await until_settled(page);
+  await keep_screenshot(page, "wide-light");
   await page.getByTestId("tolerance.add").click();
   await page.getByTestId("tolerance.each").click();
-  for (const theme of ["light", "dark"]) {
-    await page.evaluate((name) => ((globalThis as unknown as Hooked).__linkwright.preferences.theme = name), theme);
-    await page.waitForFunction((name) => document.documentElement.dataset.theme === name, theme);
+  for (const theme of ["light", "dark"] as const) {
+    await set_theme(page, theme);
     for (const part of ["task.title", "req.title", "pin.title", "num.title"])
       await expect_accessible(page, `[data-testid='${part}']`);
     await expect_accessible(page, "footer");
   }
-  await page.evaluate(() => ((globalThis as unknown as Hooked).__linkwright.preferences.theme = "light"));
+  await set_theme(page, "light");
   await page.getByTestId("num.copy_lengths").click();
   const row = (await page.evaluate(() => navigator.clipboard.readText())).split("\t");
   expect(row.map(Number).every((length) => length > 0)).toBe(true);

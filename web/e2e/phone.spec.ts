@@ -2,6 +2,7 @@
 import type {Page} from "@playwright/test";
 import {tau_at} from "../src/engine/axis";
 import {
+  example,
   expect,
   expect_accessible,
   keep_screenshot,
@@ -10,6 +11,7 @@ import {
   read_state,
   shown,
   test,
+  until_settled,
 } from "./support";
 
 test.use({viewport: {width: 390, height: 844}, hasTouch: true, isMobile: true});
@@ -133,4 +135,101 @@ test("on its side, drawing and map stand beside each other; on the smallest phon
   expect(top).toEqual([]);
   expect(await sideways(page)).toBe(0);
   await keep_screenshot(page, "phone-320");
+});
+
+test("other kinds: positions in Chinese in the dark, a line with its magnifier, a sphere whose links are taken", async ({
+  page,
+}) => {
+  await open_workbench(page);
+  const open_example = async (name: string) => {
+    await read_state(
+      page,
+      (workbench, problem) => {
+        workbench.tour = null; // its hint lies over the drawing
+        workbench.open(problem);
+      },
+      example(name),
+    );
+    await until_settled(page);
+  };
+  await test.step("three and five positions in Chinese in the dark", async () => {
+    await page.evaluate(() => Object.assign(globalThis.__linkwright!.preferences, {language: "zh", theme: "dark"}));
+    for (const name of ["latch", "nose_gear"]) {
+      await open_example(name);
+      await read_state(page, (workbench) => void (workbench.sheet = "task"));
+      await expect(page.getByTestId("task.kind")).toHaveText(/四杆机构/);
+      await expect_accessible(page);
+      const small = await page
+        .locator("button:visible")
+        .evaluateAll((buttons) =>
+          buttons
+            .filter((b) => b.getBoundingClientRect().height < 43.5 && !b.closest("svg"))
+            .map((b) => b.outerHTML.slice(0, 100)),
+        );
+      expect(small).toEqual([]);
+      await keep_screenshot(page, `phone-${name}`);
+      await read_state(page, (workbench) => void (workbench.sheet = null));
+      expect(await page.evaluate(() => document.documentElement.scrollWidth <= innerWidth)).toBe(true);
+    }
+    await page.evaluate(() => Object.assign(globalThis.__linkwright!.preferences, {language: "en", theme: "light"}));
+  });
+
+  await test.step("line and map are both there, and the magnifier opens", async () => {
+    await open_example("straight_luffing_crane");
+    await expect(page.getByTestId("straight.line")).toBeAttached();
+    const head = page.getByTestId("straight.magnifier_open");
+    expect((await head.boundingBox())!.height).toBeGreaterThanOrEqual(44);
+    await head.tap();
+    await expect(page.getByTestId("straight.stretch_value")).toContainText("×");
+    expect(await sideways(page)).toBeLessThanOrEqual(0);
+    await keep_screenshot(page, "straight_line_phone");
+  });
+
+  await test.step("sphere and map are in sight together, and its links are taken", async () => {
+    await open_example("folding_wing");
+    for (const place of ["spherical.stage", "region.map"]) {
+      const box = (await page.getByTestId(place).boundingBox())!;
+      expect(box.x, place).toBeGreaterThanOrEqual(-1);
+      expect(box.x + box.width, place).toBeLessThanOrEqual(391);
+      expect(box.height, place).toBeGreaterThan(150);
+    }
+    await page.getByTestId("tab.numbers").click();
+    const [download] = await Promise.all([page.waitForEvent("download"), page.getByTestId("num.stl").click()]);
+    expect(download.suggestedFilename()).toMatch(/\.stl$/);
+  });
+});
+
+test("tolerances have targets for fingers and a place in the line; card and plot stand on the sheet of the numbers", async ({
+  page,
+}) => {
+  await open_workbench(page);
+  await read_state(page, (workbench) => {
+    workbench.edit((problem) => ({
+      ...problem,
+      tolerances: {length: 0.5, limit: {position: 2}, cost: {exponent: 1}},
+    }));
+    workbench.sheet = "limits";
+  });
+  await page.getByTestId("tolerance.each").click();
+  const low = await page
+    .locator("[data-testid='tolerance.row'] :is(button, input, select):not(.unseen)")
+    .evaluateAll((all) =>
+      all.filter((one) => one.getBoundingClientRect().height < 43.5).map((one) => one.outerHTML.slice(0, 80)),
+    );
+  expect(low).toEqual([]);
+  await page.evaluate(() => (globalThis.__linkwright!.preferences.colour_by = "tolerance_error"));
+  await expect(page.getByTestId("region.upper_end")).toHaveCount(1);
+  expect(await page.evaluate(() => document.querySelector(".app")!.scrollWidth)).toBe(390);
+  await until_settled(page);
+  await expect(page.getByTestId("num.line_analysis")).toContainText("mm");
+
+  await page.getByTestId("tab.numbers").click();
+  await page.getByTestId("tolerances.tab").click();
+  await expect(page.getByTestId("study.error")).toBeVisible();
+  const bar = page.getByTestId("study.bar_output");
+  await bar.scrollIntoViewIfNeeded();
+  expect((await bar.boundingBox())!.height).toBeGreaterThanOrEqual(44);
+  await page.getByTestId("front.tab").click();
+  await expect(page.getByTestId("front.plot")).toBeVisible();
+  expect(await sideways(page)).toBeLessThanOrEqual(0);
 });

@@ -1,4 +1,4 @@
-// The picture behind the drawing: pasted, placed by hand and by numbers, traced over.
+// The picture behind the drawing: dropped, pasted, placed by hand and by numbers, traced over.
 import type {Page} from "@playwright/test";
 import {drag, expect, keep_screenshot, middle_of, open_workbench, read_state, test} from "./support";
 
@@ -20,7 +20,6 @@ async function paste_picture(page: Page): Promise<void> {
       new ClipboardEvent("paste", {clipboardData: transfer, bubbles: true, cancelable: true}),
     );
   });
-  await page.waitForFunction(() => !!globalThis.__linkwright!.workbench.problem.view?.background);
   await expect(page.getByTestId("picture.width")).toBeVisible();
 }
 
@@ -31,9 +30,44 @@ test.beforeEach(async ({page}) => {
   });
 });
 
-test("a pasted picture is placed by numbers, by its knob and by keys, locked, hidden, undone, and traced over", async ({
+test("a picture is dropped and brought to scale; pasted, it is placed by numbers, by its knob and by keys, locked, hidden, undone, and traced over", async ({
   page,
 }) => {
+  await test.step("dropped it lies behind the drawing and is brought to scale", async () => {
+    const area = (await page.getByTestId("drawing.canvas").boundingBox())!;
+    await page.evaluate(async () => {
+      const canvas = document.createElement("canvas");
+      canvas.width = 3000;
+      canvas.height = 1500;
+      canvas.getContext("2d")!.fillRect(100, 100, 2000, 900);
+      const blob = await new Promise<Blob>((resolve) => canvas.toBlob((b) => resolve(b!), "image/png"));
+      const transfer = new DataTransfer();
+      transfer.items.add(new File([blob], "car.png", {type: "image/png"}));
+      document
+        .querySelector(".drawing_card")!
+        .dispatchEvent(new DragEvent("drop", {dataTransfer: transfer, bubbles: true, cancelable: true}));
+    });
+    await expect(page.getByTestId("picture.width")).toBeVisible();
+    const before = await background(page);
+    expect(before.image.startsWith("data:image/jpeg")).toBe(true);
+    expect(before.image.length).toBeLessThanOrEqual(400_000);
+    expect(before.aspect).toBeCloseTo(0.5, 9);
+    await page.mouse.click(area.x + 100, area.y + area.height - 120);
+    await page.mouse.click(area.x + 300, area.y + area.height - 120);
+    const scale = await page
+      .getByTestId("drawing.ground_box")
+      .evaluate((box) => Number(box.getAttribute("width")) / 360);
+    await page.getByTestId("drawing.mark_length").fill("1000");
+    await page.keyboard.press("Enter");
+    expect((await background(page)).width / before.width).toBeCloseTo(1000 / (200 / scale), 2);
+    await page.getByTestId("drawing.done").click();
+    await page.keyboard.press("Control+z");
+    expect((await background(page)).width).toBe(before.width);
+  });
+  await read_state(page, (workbench) => {
+    while (workbench.can_undo) workbench.undo();
+  });
+  await expect(page.getByTestId("picture.width")).toHaveCount(0);
   await paste_picture(page);
   // Its tools fit on a phone.
   await page.setViewportSize({width: 390, height: 844});

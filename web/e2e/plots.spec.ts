@@ -1,6 +1,6 @@
 // What stands at a plot, and how finely it is drawn.
 import type {Page} from "@playwright/test";
-import {expect, keep_screenshot, open_workbench, read_state, test} from "./support";
+import {expect, keep_screenshot, open_workbench, read_state, test, until_settled} from "./support";
 
 /** What canvases were told to write and where lines were to go, from the next start of the page on. */
 async function watch(page: Page): Promise<void> {
@@ -48,7 +48,8 @@ test("a plot has titles with units, no steps of a pixel, labels of its own range
   await page.getByTestId("file.menu").click();
   await page.getByTestId("file.examples").click();
   await page.getByTestId("example.log_generator").click();
-  await expect.poll(() => read_state(page, ({hand}) => hand?.function?.curve.length ?? 0)).toBeGreaterThan(0);
+  await until_settled(page);
+  expect(await read_state(page, ({hand}) => hand!.function!.curve.length)).toBeGreaterThan(0);
   await expect.poll(async () => (await seen(page)).texts).toContain("Input angle φ (°)");
   const range = await read_state(page, ({hand}) => hand!.function!.curve.map(([input]) => input));
   const labels = (await seen(page)).texts

@@ -13,11 +13,9 @@ async function places(page: Page, tau: TauPair): Promise<TauPair> {
 async function hover(page: Page, tau: TauPair): Promise<void> {
   const {x, y} = await map_pixel(page, await places(page, tau));
   await page.mouse.move(x, y);
-  await page.waitForFunction(([a, b]) => {
-    const {hovered, hand} = (globalThis as any).__linkwright.workbench;
-    const near = (pair: TauPair | null) => !!pair && Math.hypot(pair[0] - a, pair[1] - b) < 1e-3;
-    return near(hovered) && near(hand?.tau);
-  }, tau);
+  await until_settled(page);
+  const pointed_at = await read_state(page, ({hovered, hand}) => [hovered, hand!.tau]);
+  for (const pair of pointed_at) expect(Math.hypot(pair![0] - tau[0], pair![1] - tau[1])).toBeLessThan(1e-3);
 }
 async function hand(page: Page): Promise<Linkage> {
   return read_state(page, (workbench) => workbench.hand!) as Promise<Linkage>;
@@ -49,15 +47,15 @@ test("4 · hovering shows another linkage, on the map and in the list of the bes
 
   await page.mouse.move(700, 20);
   await expect(card).toBeHidden();
-  await expect.poll(async () => (await hand(page)).tau).toEqual(picked.tau);
+  await until_settled(page);
+  expect((await hand(page)).tau).toEqual(picked.tau);
   expect((await hand(page)).lengths).toEqual(picked.lengths);
 
   await page.getByTestId("best.tab").click();
   const third = page.getByTestId("best.3");
   await third.hover();
-  await expect
-    .poll(async () => (await hand(page)).tau)
-    .toEqual(await read_state(page, ({best_list}) => best_list.found!.linkages[2]!.tau));
+  await until_settled(page);
+  expect((await hand(page)).tau).toEqual(await read_state(page, ({best_list}) => best_list.found!.linkages[2]!.tau));
   await keep_screenshot(page, "best");
 });
 

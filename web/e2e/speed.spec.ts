@@ -15,6 +15,7 @@ import {
   middle_of,
   open_workbench,
   test,
+  until_fine,
   until_ready,
   until_settled,
 } from "./support";
@@ -26,10 +27,6 @@ const served = resolve(process.env.LINKWRIGHT_WEB ?? "../build/web");
 
 function median(values: number[]): number {
   return [...values].sort((a, b) => a - b)[values.length >> 1]!;
-}
-async function until_fine(page: Page): Promise<void> {
-  await page.waitForFunction(() => globalThis.__linkwright!.workbench.map?.samples === 1000);
-  await until_settled(page);
 }
 
 test("the map follows a drag and a slider, the linkage the mouse over the map", async ({page}) => {

@@ -3,7 +3,6 @@ import type {Page} from "@playwright/test";
 import type {StraightLineTask} from "../src/kinds/straight_line/task";
 import {
   drag,
-  example,
   expect,
   expect_accessible,
   keep_screenshot,
@@ -11,7 +10,6 @@ import {
   map_pixel,
   middle_of,
   open_settled,
-  open_workbench,
   read_state,
   test,
   until_mapped,
@@ -74,22 +72,4 @@ test("the line is dragged and turned on the drawing, and linkages are pointed at
   await page.getByTestId("new.create").click();
   await expect(page.getByTestId("straight.start")).toBeVisible();
   await expect_accessible(page);
-});
-
-test.describe("on a phone", () => {
-  test.use({viewport: {width: 390, height: 844}, hasTouch: true});
-  test("drawing and map are both there, and the magnifier opens", async ({page}) => {
-    await open_workbench(page);
-    const problem = example("straight_luffing_crane");
-    await read_state(page, (workbench, opened) => workbench.open(opened as never), problem);
-    await until_settled(page);
-    await expect(page.getByTestId("straight.line")).toBeAttached();
-    const head = page.getByTestId("straight.magnifier_open");
-    expect((await head.boundingBox())!.height).toBeGreaterThanOrEqual(44);
-    await head.tap();
-    await expect(page.getByTestId("straight.stretch_value")).toContainText("×");
-    const wide = await page.evaluate(() => document.documentElement.scrollWidth);
-    expect(wide).toBeLessThanOrEqual(390);
-    await keep_screenshot(page, "straight_line_phone");
-  });
 });

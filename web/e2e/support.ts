@@ -1,10 +1,11 @@
 // What the browser tests share: a page that must not complain, the page's state, and the program to compare with.
-import {test as base, expect, type Locator, type Page} from "@playwright/test";
+import {test as base, expect, type BrowserContext, type Locator, type Page} from "@playwright/test";
 import {mkdirSync, readFileSync} from "node:fs";
 import {createRequire} from "node:module";
 import {join} from "node:path";
 import type {TauPair} from "../src/contract/messages";
 import type {Pose} from "../src/state/task";
+import type {Preferences} from "../src/state/preferences.svelte";
 import type {Workbench} from "../src/state/workbench.svelte";
 import type {MotionTask} from "../src/kinds/motion/task";
 import {root} from "../tests/program";
@@ -15,6 +16,7 @@ const screenshots = join(root, "build/web-screenshots");
 /** Where the page says what it holds (App.svelte, region/MapCanvas.svelte, solid/SolidView.svelte). */
 interface Hook {
   workbench: Workbench;
+  preferences: Preferences;
   ready: boolean;
   map_hash(): string;
   painted_map(): unknown;
@@ -53,6 +55,17 @@ export class Complaints {
   }
 }
 
+/** So many times slower than it is, each page computes: LINKWRIGHT_THROTTLE=4 shows what is waited for and what by luck is there. */
+const times_slower = Number(process.env.LINKWRIGHT_THROTTLE ?? 1);
+export async function page_in(context: BrowserContext): Promise<Page> {
+  const page = await context.newPage();
+  if (times_slower > 1) {
+    const session = await context.newCDPSession(page); // as long as it is there
+    await session.send("Emulation.setCPUThrottlingRate", {rate: times_slower});
+  }
+  return page;
+}
+
 interface Fixtures {
   complaints: Complaints;
   /** In a browser profile that has never seen the workbench. */
@@ -66,7 +79,7 @@ export const test = base.extend<Fixtures, {lent: Page}>({
     async ({browser}, use, {project}) => {
       const {baseURL, viewport, locale, timezoneId, colorScheme} = project.use,
         context = await browser.newContext({baseURL, viewport, locale, timezoneId, colorScheme});
-      await use(await context.newPage());
+      await use(await page_in(context));
       await context.close();
     },
     {scope: "worker"},
@@ -74,7 +87,7 @@ export const test = base.extend<Fixtures, {lent: Page}>({
   page: async ({lent, browser, fresh, hasTouch, viewport, colorScheme}, use) => {
     if (fresh || hasTouch) {
       const context = await browser.newContext();
-      await use(await context.newPage());
+      await use(await page_in(context));
       return context.close();
     }
     const forget_scripts = remembered_scripts(lent);
@@ -115,7 +128,13 @@ async function made_new(page: Page, color_scheme: "light" | "dark" | "no-prefere
   await page.mouse.move(0, 0);
   for (const other of context.pages()) if (other !== page) await other.close();
   await context.clearPermissions();
-  await page.emulateMedia({media: null, colorScheme: color_scheme, reducedMotion: null, forcedColors: null});
+  await page.emulateMedia({
+    media: null,
+    colorScheme: color_scheme,
+    reducedMotion: null,
+    forcedColors: null,
+    contrast: null,
+  });
   await page.goto("/icon.svg"); // there is no workbench that would keep its work
   const session = await context.newCDPSession(page);
   await session.send("Storage.clearDataForOrigin", {origin: new URL(page.url()).origin, storageTypes: "all"});
@@ -152,13 +171,23 @@ export async function until_mapped(page: Page): Promise<void> {
   });
 }
 /** And so are its counts and the linkage in hand; another map begins with its best one, which takes another answer. */
-export async function until_settled(page: Page): Promise<void> {
-  await until_mapped(page);
-  await page.waitForFunction(() => {
-    const {is_current, hand, tau_in_hand, questions} = globalThis.__linkwright!.workbench;
-    return is_current && questions.settled() && hand?.tau.join() === tau_in_hand?.join();
-  });
+export async function until_settled(page: Page, at_least = 0): Promise<void> {
+  await page.waitForFunction((least) => {
+    if (!globalThis.__linkwright) return false;
+    const {workbench, painted_map} = globalThis.__linkwright,
+      {is_current, census, map, hand, tau_in_hand, questions} = workbench;
+    return (
+      is_current &&
+      census !== null &&
+      painted_map() === map &&
+      questions.settled() &&
+      hand?.tau.join() === tau_in_hand?.join() &&
+      (map?.samples ?? 0) >= least
+    );
+  }, at_least);
 }
+/** And the map is the finest, after which nothing comes by itself. */
+export const until_fine = (page: Page): Promise<void> => until_settled(page, 1000);
 
 /** What `read` finds in the page's state. It runs in the page: of all that is outside of it, it sees its argument only. */
 export async function read_state<T, A = undefined>(
@@ -258,6 +287,10 @@ export async function open_settled(page: Page): Promise<void> {
   );
   await open_workbench(page);
   await until_settled(page);
+}
+export async function set_theme(page: Page, theme: "light" | "dark"): Promise<void> {
+  await page.evaluate((name) => (globalThis.__linkwright!.preferences.theme = name), theme);
+  await expect(page.locator("html")).toHaveAttribute("data-theme", theme);
 }
 export const poses_of_page = (page: Page): Promise<Pose[]> =>
   read_state(page, (workbench) => (workbench.problem.task as MotionTask).poses as Pose[]);

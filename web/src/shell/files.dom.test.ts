@@ -205,6 +205,21 @@ test("16 · a broken link opens nothing, and a good one is the task", async () =
   await go_to(`#1.${"A".repeat(70_000)}`);
   await until(() => toasts().includes("This link is longer than 64 kB and was not opened."));
   expect(shown()).toEqual(before);
+
+  // The page may begin with one, too.
+  location.hash = broken;
+  await reload();
+  await until(() => toasts().includes("This link is damaged"));
+  await until_settled();
+  expect(shown()).toEqual(before);
+  workbench.open(example("tailgate"));
+  await until_settled();
+  location.hash = hash;
+  await reload();
+  await until(() => workbench.pins.length === 1);
+  await until_settled();
+  expect(shown()).toEqual(before);
+  expect(location.hash).toBe("");
 });
 
 test("my tasks: each is kept, opened, renamed, deleted and had back", async () => {
