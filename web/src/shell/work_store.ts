@@ -22,15 +22,21 @@ export function work_store(): Store | null {
 }
 /** To be awaited before work is read. */
 export async function open_work_store(small: Storage | null = browser_store()): Promise<Store | null> {
-  const never = new Promise<null>((resolve) => setTimeout(() => resolve(null), patience_ms));
-  opened = (await Promise.race([in_database(small), never])) ?? small;
+  let awaited = true;
+  const never = new Promise<null>((resolve) => setTimeout(() => resolve(null), patience_ms)).then(() => {
+    awaited = false;
+    return null;
+  });
+  opened = (await Promise.race([in_database(small, () => awaited), never])) ?? small;
   return opened;
 }
-async function in_database(small: Storage | null): Promise<Store | null> {
+/** Once it is awaited no longer, the page has begun with the small store, of which nothing may go any more. */
+async function in_database(small: Storage | null, is_awaited: () => boolean): Promise<Store | null> {
   try {
     const database = createStore("linkwright", "work"),
       items = new Map(await entries<string, string>(database));
-    if (small) await move_in(small, items, database);
+    if (!is_awaited()) return null;
+    if (small) await move_in(small, items, database, is_awaited);
     return new DatabaseStore(database, items, small);
   } catch {
     return null;
@@ -43,7 +49,12 @@ export function time_of(text: string): number {
 }
 /** What lies in the small store comes in, unless it is older: that of earlier versions of the page, and what was written
  *  there when a page went. */
-async function move_in(small: Storage, items: Map<string, string>, database: UseStore): Promise<void> {
+async function move_in(
+  small: Storage,
+  items: Map<string, string>,
+  database: UseStore,
+  is_awaited: () => boolean,
+): Promise<void> {
   const names = Array.from({length: small.length}, (_, i) => small.key(i) ?? "").filter((name) => is_work.test(name));
   const found = names.map((name) => [name, small.getItem(name) ?? ""] as const),
     newer = found.filter(([name, text]) => !items.has(name) || time_of(text) > time_of(items.get(name) ?? ""));
@@ -53,7 +64,7 @@ async function move_in(small: Storage, items: Map<string, string>, database: Use
       [...newer].map(([name, text]): [string, string] => [name, text]),
       database,
     );
-    for (const [name] of found) small.removeItem(name);
+    if (is_awaited()) for (const [name] of found) small.removeItem(name);
   } catch {
     // There is no room for it: it stays where it is, and is in hand all the same.
   }
