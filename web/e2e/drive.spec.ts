@@ -205,6 +205,7 @@ async function changed_from(page: Page, before: string): Promise<string> {
 }
 
 test.describe("3-D", () => {
+  test.use({viewport: {width: 1440, height: 640}}); // without a graphics card each pixel takes its time
   test("shows the linkage, plays and turns, and says when it cannot be loaded", async ({page, complaints}) => {
     await open_with_drive(page);
     await page.route(/\/SolidView[^/]*\.js$/, (route) => route.abort());
@@ -269,9 +270,9 @@ test.describe("3-D", () => {
         await open_files(page, join(root, `examples/${example}.json`));
         await until_settled(page);
         await page.getByTestId("view.solid").click();
+        const print = await changed_from(page, "blank"); // by what is loaded with the view
         await until_settled(page);
         expect(await machine_is_of_hand(page)).toBe(true);
-        const print = await changed_from(page, "blank");
         await keep_screenshot(page, `solid_${example}`);
         await page.getByTestId("drive.step").click();
         await changed_from(page, print);

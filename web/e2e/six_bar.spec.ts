@@ -11,6 +11,7 @@ import {
   played_poses,
   read_state,
   test,
+  until_fine,
   until_settled,
   type Pixel,
 } from "./support";
@@ -77,6 +78,7 @@ test("a six-bar is found on its map, driven, and its chain moved", async ({page}
   await keep_screenshot(page, "six_bar");
 
   // Hinge b dragged: the map follows, one undo takes it back.
+  await until_fine(page);
   const before = await counts(page),
     handle = page.getByTestId("drawing.chain_b"),
     from = await middle_of(handle);
@@ -87,7 +89,7 @@ test("a six-bar is found on its map, driven, and its chain moved", async ({page}
   expect(await read_state(page, ({problem}) => (problem.task as SixBarTask).chain!.b)).not.toEqual([288.6, 1029.9]);
   expect(await counts(page)).not.toBe(before);
   await page.keyboard.press("Control+z");
-  await until_settled(page);
+  await until_fine(page);
   expect(await counts(page)).toBe(before);
   expect(await read_state(page, ({problem}) => (problem.task as SixBarTask).chain!.b)).toEqual([288.6, 1029.9]);
 
