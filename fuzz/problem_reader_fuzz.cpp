@@ -67,6 +67,7 @@ void check_same(const SixBarTask& again, const SixBarTask& task) {
 
 void check_same(const SphericalMotionTask& again, const SphericalMotionTask& task) { require(again == task); }
 void check_same(const StraightLineTask& again, const StraightLineTask& task) { require(again == task); }
+void check_same(const PathTask& again, const PathTask& task) { require(again == task); }
 
 void check_same_task(const Task& again, const Task& task) {
   require(again.index() == task.index());

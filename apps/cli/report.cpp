@@ -23,6 +23,12 @@ std::string point_count(const FourBarAnswer& answer) {
   return count == 0 ? ": no Burmester point" : fmt::format(": {} Burmester point{}", count, count == 1 ? "" : "s");
 }
 
+std::string crank_count(const PathAnswer& answer) {
+  const std::size_t count = answer.given.points.size();
+  if (answer.given.curve || (count == 0 && !answer.given.has_no_dyads)) return "";
+  return count == 0 ? ": no crank" : fmt::format(": {} crank{}", count, count == 1 ? "" : "s");
+}
+
 std::string heading(const Problem& problem, const std::string& points) {
   const std::string title = problem.title.empty() ? "Untitled task" : printable(problem.title);
   std::string text = fmt::format("{}: {}{}", title, task_label(problem.task), points);
@@ -35,6 +41,10 @@ struct CurveNames {
   std::string_view both = "Both Burmester curves, of circle points and of centre points", circle = "Circle-point curve",
                    center = "centre-point curve";
 };
+constexpr CurveNames crank_curves = {
+    "Both curves of the cranks, of their ground pivots and of where the point is seen "
+    "from them",
+    "Curve of the point seen from the cranks", "of their ground pivots"};
 constexpr CurveNames coupler_curves = {"Both curves of the coupler, of its pivots on the input and on the output",
                                        "Curve of pivots on the input", "of pivots on the output"};
 
@@ -59,6 +69,10 @@ std::string map_words(const MotionAnswer& answer) {
 }
 
 std::string map_words(const FunctionAnswer& answer) { return function_map_words(*answer.family(), answer.region); }
+
+std::string map_words(const PathAnswer& answer) {
+  return fmt::format("The solution region of {} × {} cranks", answer.region.rows(), answer.region.columns());
+}
 
 /// Pairs of one curve always make something; elsewhere a cell may have no dyads at all.
 std::string degenerate_words(const FourBarFamily& family, std::int64_t count) {
@@ -236,6 +250,13 @@ std::string free_words(const MotionAnswer& answer) {
 
 std::string free_words(const FunctionAnswer& answer) { return function_free_words(answer.family(), answer.task); }
 
+std::string free_words(const PathAnswer& answer) {
+  if (!answer.family() || !answer.given.curve) return "";
+  return wrapped(
+      "2 parameters are free, the axes of the solution region: the positions of the crank and of its "
+      "cognate's crank on their curve.");
+}
+
 /// The map is spoken of only where there is one.
 template <class KindAnswer>
 std::string counts_of(const Problem& problem, const KindAnswer& answer) {
@@ -254,6 +275,13 @@ std::string report_of_kind(const Problem& problem, const FunctionAnswer& answer)
          counts_of(problem, answer) + warnings_words(answer) + dyad_words(answer) +
          pair_words(answer, "All linkages that satisfy the five precision points, best first:\n") +
          linkages_words(problem, answer) + nothing_words(problem, answer);
+}
+
+std::string report_of_kind(const Problem& problem, const PathAnswer& answer) {
+  return heading(problem, crank_count(answer)) + curve_words(answer, crank_curves) + free_words(answer) +
+         counts_of(problem, answer) + warnings_words(answer) + crank_words(answer) +
+         pair_words(answer, "All linkages, by their own crank and their cognate's, best first:\n") +
+         linkages_words(problem, answer) + path_table(problem, answer) + nothing_words(problem, answer);
 }
 
 std::string report_of_kind(const Problem& problem, const SphericalMotionAnswer& answer) {

@@ -88,6 +88,12 @@ namespace linkwright::cli {
 /// Five positions: the table of grounded links. Empty for other tasks.
 [[nodiscard]] std::string dyad_words(const FourBarAnswer& answer);
 
+/// Paths of five positions: the table of cranks. Empty for others.
+[[nodiscard]] std::string crank_words(const PathAnswer& answer);
+
+/// How the linkages listed lead the point, a row to each; empty where none is.
+[[nodiscard]] std::string path_table(const Problem& problem, const PathAnswer& answer);
+
 /// Five positions: every pair as a four-bar, and why it fails; five precision points: every linkage. Empty for others.
 [[nodiscard]] std::string pair_words(const FourBarAnswer& answer, std::string_view heading);
 

@@ -115,6 +115,7 @@ std::string words_of(const Criterion& asked, const Requirements& wanted, std::st
   if (asked.rule == Criterion::Rule::one_of_types && !wanted.types.empty())
     return fmt::format("{} {}", asked.name, type_list(wanted.types));
   if (const auto within = asked.window(wanted)) return words_of_place(asked, *within, position);
+  if (asked.rule == Criterion::Rule::turning_fully) return wanted.full_turn ? std::string(asked.name) : "";
   if (!asked.has_limit(wanted)) return "";
   return fmt::format("{} at {} {}", asked.name, is_least(asked) ? "least" : "most",
                      value_words(asked, asked.limit(wanted), unit));

@@ -95,6 +95,8 @@ std::string_view error_words(const Task& task) {
       return "root mean square of the output's angle over the pairs";
     case OutputKind::turn:
       return "root mean square of the body's turn over the orientations";
+    case OutputKind::point:
+      return "root mean square of the point's place over the points";
     default:
       return "root mean square over the positions, turns counted by the turning length";
   }

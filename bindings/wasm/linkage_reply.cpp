@@ -64,6 +64,7 @@ LinkageMore more_at(const FunctionAnswer& answer, MapPoint place) {
   add_generated(more, answer, place);
   return more;
 }
+LinkageMore more_at(const PathAnswer& /*answer*/, MapPoint /*place*/) { return {}; }
 // The links besides, whose axes have the senses that the curves have.
 LinkageMore more_at(const SphericalAnswer& answer, MapPoint place) {
   LinkageMore more = more_of(answer.linkages.front().angles);

@@ -11,6 +11,7 @@
 #include "palette.hpp"
 #include "planar/function_couplers.hpp"
 #include "planar/function_family.hpp"
+#include "planar/timed_cranks.hpp"
 
 namespace linkwright {
 namespace {
@@ -162,7 +163,10 @@ void draw_motion(SvgCanvas& svg, const TaskScene& scene, const PlaneWindow& wind
 void draw_frames(SvgCanvas& svg, const TaskScene& scene, const PlaneWindow& window) {
   for (std::size_t pose = scene.frames.size(); pose-- > 0;) {
     draw_direction(svg, window, scene.frames[pose]);
-    draw_pose(svg, window, scene.frames[pose].pose, pose + 1, pose == 0);
+    if (scene.of_point)
+      draw_place(svg, window, scene.frames[pose].pose.origin, pose + 1, pose == 0);
+    else
+      draw_pose(svg, window, scene.frames[pose].pose, pose + 1, pose == 0);
   }
 }
 
@@ -210,7 +214,7 @@ void draw_keys(SvgCanvas& svg, const TaskScene& scene, const PixelBox& card) {
     keys.line(stroke(palette::ink2, 1.2), "fixed pivots");
     keys.line(stroke(palette::ink2, 1.2, "5 4"), "moving pivots, position 1");
   }
-  if (scene.traced) keys.line(dotted, "path of the frame's origin");
+  if (scene.traced) keys.line(dotted, scene.of_point ? "path of the point" : "path of the frame's origin");
   const bool are_usual = scene.curve && !of_couplers && scene.linkage != nullptr;
   keys.draw(are_usual ? std::optional(card.left + 190) : std::nullopt);
 }
@@ -263,6 +267,26 @@ TaskScene task_scene(const FunctionAnswer& answer) {
   const FunctionCouplers couplers = function_couplers(*scene.function);
   scene.curve = couplers.curve;
   scene.curve_frame = couplers.frame();
+  return scene;
+}
+
+// The cranks along their curve, or the few there are; the poses are those of the point alone.
+TaskScene task_scene(const PathAnswer& answer) {
+  TaskScene scene = scene_of_best(answer, answer.task);
+  scene.curve = nullptr;
+  scene.of_point = true;
+  for (const PathPoint& point : answer.task.points) {
+    scene.frames.push_back({{point.point, 0}, {}});
+    for (const PathDerivative& d : point.derivatives) scene.frames.back().derivatives.push_back({d.point, 0});
+  }
+  const TaskFamily& given = answer.given;
+  if (!given.curve)
+    for (const BurmesterPoint& crank : given.points)
+      scene.beads.push_back(given.frame().to_user(crank_link(crank.dyad)));
+  if (given.family && given.curve) scene.input_links = links_along(*given.family, Side::input);
+  if (scene.linkage == nullptr) return scene;
+  scene.served = given.family->user_poses(answer.point_of(*scene.linkage), scene.linkage->four_bar);
+  scene.traced = scene.served.front().pose.origin;
   return scene;
 }
 

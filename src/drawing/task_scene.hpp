@@ -16,6 +16,7 @@ namespace linkwright {
 struct TaskScene {
   std::string heading;
   std::vector<PrescribedPose> frames;           ///< drawn with their numbers
+  bool of_point = false;                        ///< only where they are is to be passed: drawn without their axes
   const FourBarSolution* linkage = nullptr;     ///< the best one, or the nearest way out
   std::vector<PrescribedPose> served;           ///< what its coupler visits; it lies in the first
   std::optional<Point> traced;                  ///< point of the coupler there whose path is drawn
@@ -29,6 +30,7 @@ struct TaskScene {
 /// The answer must outlive it.
 [[nodiscard]] TaskScene task_scene(const MotionAnswer& answer);
 [[nodiscard]] TaskScene task_scene(const FunctionAnswer& answer);
+[[nodiscard]] TaskScene task_scene(const PathAnswer& answer);
 
 /// Draws it in a card.
 void draw_task_scene(SvgCanvas& svg, const TaskScene& scene, const Problem& problem, const FourBarAnswer& answer,

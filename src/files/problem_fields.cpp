@@ -68,7 +68,8 @@ void fields(FieldVisitor& v, Task& task) {
                             kind<SixBarTask>("motion", "six_bar", task),
                             kind<SphericalMotionTask>("motion", "spherical_four_bar", task),
                             kind<SphericalFunctionTask>("function", "spherical_four_bar", task),
-                            kind<StraightLineTask>("straight_line", "four_bar", task)};
+                            kind<StraightLineTask>("straight_line", "four_bar", task),
+                            kind<PathTask>("path", "four_bar", task)};
   static_assert(kinds.size() == std::variant_size_v<Task>, "each kind has its line");
   v.kinds(task.index(), kinds);
 }

@@ -50,14 +50,17 @@ void member_by_kind(FieldVisitor& v, const Field& field, const Answer& answer, c
 bool has_curve(const FourBarAnswer& answer, bool is_expected) { return answer.given.curve || is_expected; }
 bool has_curve(const MotionAnswer& answer) { return has_curve(answer, is_curve_expected(answer.task)); }
 bool has_curve(const FunctionAnswer& answer) { return has_curve(answer, is_curve_expected(answer.task)); }
+bool has_curve(const PathAnswer& answer) { return has_curve(answer, is_curve_expected(answer.task)); }
 bool has_curve(const SphericalAnswer& answer) { return answer.given.curve || answer.given.degeneracy; }
 bool has_curve(const Findings& /*answer*/) { return false; }
 
 void curve_field(FieldVisitor& v, const Answer& answer) {
-  const Field field("curve",
-                    "Of the grounded links; of function tasks, of the couplers in position 1: circle points on the "
-                    "input link, centre points on the output link. Null where the grounded links form no curve: three "
-                    "positions with lengths or an angle, five positions.");
+  const Field field(
+      "curve",
+      "Of the grounded links; of function tasks, of the couplers in position 1: circle points on the "
+      "input link, centre points on the output link; of paths, of the cranks as dyads of a body that "
+      "turns with them and whose origin is at the points. Null where the grounded links form no curve: three "
+      "positions with lengths or an angle, five positions.");
   bool is_there = std::visit([](const auto& of_kind) { return has_curve(of_kind); }, answer);
   v.member(field, true, [&](FieldVisitor& at) {
     at.null_or(is_there, [&](FieldVisitor& to) {
@@ -69,9 +72,21 @@ void curve_field(FieldVisitor& v, const Answer& answer) {
 
 void dyads_field(FieldVisitor& v, const Answer& answer) {
   const Field field("dyads",
-                    "Five positions: all real ones; three orientations with given axes: the two; otherwise none.");
+                    "Five positions: all real ones; of paths the cranks, as in \"curve\"; three orientations with "
+                    "given axes: the two; otherwise none.");
   member_by_kind<FourBarAnswer, SphericalAnswer>(
       v, field, answer, [](FieldVisitor& to, const auto& of_kind) { visit_dyads(to, of_kind); });
+}
+
+void path_fields(FieldVisitor& v, const Answer& answer) {
+  const auto* path = held<PathAnswer>(answer);
+  v.shown_if_any(Field("timing", "Paths: at which points the angle of the crank is given."),
+                 path ? std::optional(std::string("all")) : std::nullopt);
+  const Field cranks("cranks", "Paths of five positions: all cranks that there are.");
+  v.member(cranks.written(path && !path->given.points.empty()), false, [&](FieldVisitor& to) {
+    const PathAnswer none;
+    visit_cranks(to, path ? *path : none);
+  });
 }
 
 void search_field(FieldVisitor& v, const Answer& answer) {
@@ -101,7 +116,7 @@ void linkage_fields(FieldVisitor& v, const Answer& answer) {
                        "Best first; with \"at\" in the options what is at that place of the region and nothing else.");
   const Field pairs("pairs",
                     "Five positions: every two dyads as a four-bar with the better driver, whatever its defects; five "
-                    "precision points: every linkage; otherwise none. Best first.");
+                    "precision points, or five positions of a path: every linkage; otherwise none. Best first.");
   const Field freed("freed",
                     "Five positions that no linkage passes as required: what freeing one of them comes to, nearest "
                     "first.");
@@ -436,6 +451,7 @@ void fields(FieldVisitor& v, const ResultRecord& of) {
     finding_fields(to, found);
     curve_field(to, of.answer);
     dyads_field(to, of.answer);
+    path_fields(to, of.answer);
     region_field(to, of);
     front_field(to, of.answer);
     linkage_fields(to, of.answer);

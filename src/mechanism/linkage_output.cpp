@@ -28,6 +28,12 @@ PlanarOutput pose_output(const FourBar& bars, std::span<const PrescribedPose> po
   return pose_output(carried_along(bars, poses), 0);
 }
 
+PlanarOutput point_output(const FourBar& bars, std::span<const PrescribedPose> poses) {
+  PlanarOutput output = pose_output(bars, poses);
+  output.of_point = true;
+  return output;
+}
+
 PlanarOutput angle_output(std::span<const FourBar> positions) {
   PlanarOutput output{PlanarOutput::Kind::angle, {}, 0, {}, false};
   for (const FourBar& bars : positions) output.positions.push_back({bars, bars.input_moving});
@@ -72,8 +78,8 @@ bool is_angle(const LinkageOutput& output) {
 }
 
 LinkageOutput with_turning_length(LinkageOutput output, double turning_length) {
-  if (auto* const planar = std::get_if<PlanarOutput>(&output); planar && planar->kind == PlanarOutput::Kind::pose)
-    planar->turning_length = turning_length;
+  auto* const planar = std::get_if<PlanarOutput>(&output);
+  if (planar && planar->kind == PlanarOutput::Kind::pose && !planar->of_point) planar->turning_length = turning_length;
   if (auto* const six_bar = std::get_if<SixBarOutput>(&output)) six_bar->turning_length = turning_length;
   return output;
 }

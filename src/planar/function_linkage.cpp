@@ -4,45 +4,25 @@
 #include <array>
 #include <cmath>
 
-#include "algebra/binary_form.hpp"
 #include "linkwright/core/angle.hpp"
 #include "linkwright/core/precondition.hpp"
+#include "planar/turned_arm.hpp"
 
 namespace linkwright {
 namespace {
-
-// An arm turned, and its derivatives: v = e^{iα} arm, v′ = iα′v and so on.
-std::vector<Point> turned(Point arm, double angle, const std::vector<AngleDerivative>& derivatives,
-                          double AngleDerivative::*which) {
-  std::vector<Point> v = {direction(angle) * arm};
-  for (std::size_t m = 0; m < derivatives.size(); ++m) {
-    Point sum = 0;
-    for (std::size_t k = 0; k <= m; ++k) sum += binomial[m][k] * derivatives[k].*which * v[m - k];
-    v.push_back(Point{0, 1} * sum);
-  }
-  return v;
-}
-
-// Derivatives of the angle of w from its own: w^(m+1) = i Σ C(m, k) θ^(k+1) w^(m−k), solved for the highest of θ.
-std::vector<double> angle_derivatives(const std::vector<Point>& w) {
-  std::vector<double> theta;
-  for (std::size_t m = 0; m + 1 < w.size(); ++m) {
-    Point rest = w[m + 1];
-    for (std::size_t k = 0; k < m; ++k) rest -= Point{0, 1} * (binomial[m][k] * theta[k]) * w[m - k];
-    theta.push_back(std::norm(w[0]) > 0 ? cross(w[0], rest) / std::norm(w[0]) : 0);
-  }
-  return theta;
-}
 
 struct Arms {
   std::vector<Point> input, coupler;  // from the input's ground pivot to A, from A to B; with derivatives
 };
 
 Arms arms_at(const FourBar& bars, const AnglePair& first, const AnglePair& pair) {
-  Arms arms{
-      turned(bars.input_moving - bars.input_fixed, pair.input - first.input, pair.derivatives, &AngleDerivative::input),
-      turned(bars.output_moving - bars.output_fixed, pair.output - first.output, pair.derivatives,
-             &AngleDerivative::output)};
+  std::vector<double> input_rates, output_rates;
+  for (const AngleDerivative& d : pair.derivatives) {
+    input_rates.push_back(d.input);
+    output_rates.push_back(d.output);
+  }
+  Arms arms{turned_arm(bars.input_moving - bars.input_fixed, pair.input - first.input, input_rates),
+            turned_arm(bars.output_moving - bars.output_fixed, pair.output - first.output, output_rates)};
   for (std::size_t m = 0; m < arms.coupler.size(); ++m) arms.coupler[m] -= arms.input[m];
   arms.coupler[0] += bars.output_fixed - bars.input_fixed;
   return arms;
@@ -51,7 +31,7 @@ Arms arms_at(const FourBar& bars, const AnglePair& first, const AnglePair& pair)
 PrescribedPose coupler_pose(const FourBar& bars, const Arms& arms) {
   const Point first = bars.output_moving - bars.input_moving;
   PrescribedPose pose{{bars.input_fixed + arms.input[0], std::arg(arms.coupler[0] * std::conj(first))}, {}};
-  const std::vector<double> rates = angle_derivatives(arms.coupler);
+  const std::vector<double> rates = turn_rates(arms.coupler);
   for (std::size_t m = 0; m < rates.size(); ++m) pose.derivatives.push_back({arms.input[m + 1], rates[m]});
   return pose;
 }

@@ -14,6 +14,10 @@ std::optional<std::size_t> place_of(const Measure* measure, std::span<const Meas
   return found == measures.end() ? std::nullopt : std::optional(static_cast<std::size_t>(found - measures.begin()));
 }
 
+bool is_one_of(const std::vector<LinkageType>& types, LinkageType type) {
+  return std::find(types.begin(), types.end(), type) != types.end();
+}
+
 }  // namespace
 
 bool CellJudge::Place::holds(const Pivots& pivots) const {
@@ -28,17 +32,24 @@ CellJudge::CellJudge(const Requirements& wanted, const LinkageClass& linkages, s
   of_type_[static_cast<std::size_t>(LinkageType::degenerate)] = all_failures;
 }
 
+void CellJudge::add_types(FailureBits bit, const std::function<bool(LinkageType)>& passes) {
+  for (std::size_t type = 0; type < of_type_.size(); ++type)
+    if (!passes(static_cast<LinkageType>(type))) of_type_[type] |= bit;
+}
+
 void CellJudge::add(const Criterion& asked, FailureBits bit, const Requirements& wanted,
                     std::span<const Measure> measures) {
   using Rule = Criterion::Rule;
   switch (asked.rule) {
     case Rule::one_of_types:
-      if (!wanted.types.empty()) of_type_.fill(bit);
-      for (const LinkageType type : wanted.types) of_type_[static_cast<std::size_t>(type)] = 0;
+      if (!wanted.types.empty()) add_types(bit, [&](LinkageType type) { return is_one_of(wanted.types, type); });
       return;
     case Rule::without_defects:
       of_defects_ = wanted.no_defects ? bit : FailureBits{0};
       if (wanted.no_defects) transmission_ = place_of(&measures::min_transmission_angle, measures);
+      return;
+    case Rule::turning_fully:
+      if (wanted.full_turn) add_types(bit, input_is_crank);
       return;
     case Rule::at_least:
     case Rule::at_most:

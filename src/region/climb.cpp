@@ -41,10 +41,11 @@ std::optional<Candidate> Evaluator::judged(const Cell& cell) const {
 }
 
 Candidate Evaluator::from_better_side(const Candidate& here) const {
-  if (!family_.is_symmetric()) return here;
+  if (!family_.is_symmetric() && !family_.has_cognates()) return here;
   auto there = candidate({here.cell.place.output, here.cell.place.input});
   if (!there) return here;
   there->local_optimum = here.local_optimum;
+  if (family_.has_cognates()) return size(here) <= size(*there) ? here : *there;
   const bool is_free = here.cell.defects.none(), is_other_free = there->cell.defects.none();
   if (is_free != is_other_free) return is_free ? here : *there;
   if (here.score != there->score) return here.score > there->score ? here : *there;

@@ -168,6 +168,13 @@ constexpr std::array<Criterion, requirement_kind_count> all_criteria = {{
      .range_sentence =
          "the largest deviation must be a positive length; null lets any pass"},  // a straight line that does not go as
                                                                                   // far as its stroke
+    {.kind = RequirementKind::full_turn,
+     .key = "full_turn",
+     .about = "Paths: the crank turns fully, so that the path is closed.",
+     .rule = Rule::turning_fully,
+     .unit = Unit::number,
+     .asked = &Requirements::full_turn,
+     .name = "full turn of the crank"},
     {.kind = RequirementKind::max_tolerance_error,
      .key = "max_tolerance_error",
      .about = "Largest error by tolerances, in their unit: the user's length; of functions and spherical linkages "
@@ -233,7 +240,8 @@ std::optional<PivotWindow> Criterion::window(const Requirements& wanted) const {
 }
 
 bool Criterion::is_asked(const Requirements& wanted) const {
-  return window(wanted) || (has_limit(wanted) && limit(wanted) != limit(Requirements{}));
+  return window(wanted) || (rule == Rule::turning_fully && wanted.full_turn) ||
+         (has_limit(wanted) && limit(wanted) != limit(Requirements{}));
 }
 
 }  // namespace linkwright

@@ -13,6 +13,8 @@
 #include "picked_place.hpp"
 #include "planar/chosen_length.hpp"
 #include "planar/function_family.hpp"
+#include "planar/path_drive.hpp"
+#include "planar/path_family.hpp"
 #include "reason.hpp"
 #include "region_count.hpp"
 #include "spherical/spherical_function_family.hpp"
@@ -52,6 +54,30 @@ auto all_pairs(const KindAnswer& answer) {
     }
   std::sort(pairs.begin(), pairs.end(), [](const auto& a, const auto& b) { return is_better_linkage(a, b); });
   return pairs;
+}
+
+// Of a few cranks: every linkage. A pair and its reverse are cognates, both of which there are.
+std::vector<FourBarSolution> all_pairs(const PathAnswer& answer) {
+  const std::vector<double> places = answer.family()->samples(Side::input, 0, Spacing::coordinate);
+  std::vector<FourBarSolution> pairs;
+  for (const double crank : places)
+    for (const double cognate : places)
+      if (auto found = crank == cognate ? std::nullopt : linkage_at(answer, {crank, cognate}))
+        pairs.push_back(*std::move(found));
+  std::sort(pairs.begin(), pairs.end(), [](const auto& a, const auto& b) { return is_better_linkage(a, b); });
+  return pairs;
+}
+
+// What turning the crank shows of a path, which knows the pivots and the point alone.
+void drive_path(FourBarSolution& found, const PathFamily& family) {
+  TimedPath& path = *found.path;
+  const double near = tolerance::point_met * family.frame().scale;
+  const PathDrive drive = drive_along_path(found.four_bar, path.point, family.crank_poses(), near);
+  const bool is_clean = found.report.defects.none();
+  path.position_error = drive.position_error;
+  path.timing_error = drive.timing_error;
+  found.verified_by_driving =
+      found.verified_by_driving && drive.passes == is_clean && (!is_clean || drive.turns_fully == path.full_turn);
 }
 
 template <class Solution, class Family>
@@ -216,6 +242,15 @@ Progress part_of(const Progress& progress, double from, double to) {
 std::optional<FourBarSolution> linkage_at(const FourBarAnswer& answer, MapPoint place, bool verify) {
   return make_four_bar(answer.given, place, answer.requirements.respect_direction, verify);
 }
+std::optional<FourBarSolution> linkage_at(const PathAnswer& answer, MapPoint place, bool verify) {
+  auto found = linkage_at(static_cast<const FourBarAnswer&>(answer), place, verify);
+  if (!found || !answer.given.paths) return found;
+  const PathFamily& family = *answer.given.paths;
+  found->path = timed_path(found->four_bar, family.crank_poses());
+  found->residual_derivatives = family.rate_residual(place);
+  if (verify) drive_path(*found, family);
+  return found;
+}
 std::optional<SphericalSolution> linkage_at(const SphericalAnswer& answer, MapPoint place, bool verify) {
   return make_spherical_four_bar(answer.given, place, answer.requirements.respect_direction, verify);
 }
@@ -233,6 +268,10 @@ MotionAnswer begin_answer(const MotionTask& task, const Requirements& requiremen
 FunctionAnswer begin_answer(const FunctionTask& task, const Requirements& requirements, const SynthesisOptions& options,
                             const Progress& /*progress*/) {
   return begin_pairs<FunctionAnswer>(task, task_family(task), requirements, options);
+}
+PathAnswer begin_answer(const PathTask& task, const Requirements& requirements, const SynthesisOptions& options,
+                        const Progress& /*progress*/) {
+  return begin_pairs<PathAnswer>(task, task_family(task), requirements, options);
 }
 SphericalMotionAnswer begin_answer(const SphericalMotionTask& task, const Requirements& requirements,
                                    const SynthesisOptions& options, const Progress& /*progress*/) {
@@ -272,6 +311,13 @@ Result<Answer> solve_of_kind(const SphericalMotionTask& task, const Requirements
 Result<Answer> solve_of_kind(const FunctionTask& task, const Requirements& requirements,
                              const SynthesisOptions& options, const Progress& progress) {
   return generators(begin_answer(task, requirements, options, progress), function_words, progress);
+}
+
+Result<Answer> solve_of_kind(const PathTask& task, const Requirements& requirements, const SynthesisOptions& options,
+                             const Progress& progress) {
+  PathAnswer answer = begin_answer(task, requirements, options, progress);
+  if (!find_pairs(answer, path_words, progress)) return cancelled();
+  return Answer(std::move(answer));
 }
 
 Result<Answer> solve_of_kind(const SphericalFunctionTask& task, const Requirements& requirements,

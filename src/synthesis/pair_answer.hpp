@@ -14,6 +14,8 @@ namespace linkwright {
                                         const SynthesisOptions& options, const Progress& progress = {});
 [[nodiscard]] FunctionAnswer begin_answer(const FunctionTask& task, const Requirements& requirements,
                                           const SynthesisOptions& options, const Progress& progress = {});
+[[nodiscard]] PathAnswer begin_answer(const PathTask& task, const Requirements& requirements,
+                                      const SynthesisOptions& options, const Progress& progress = {});
 [[nodiscard]] SphericalMotionAnswer begin_answer(const SphericalMotionTask& task, const Requirements& requirements,
                                                  const SynthesisOptions& options, const Progress& progress = {});
 [[nodiscard]] SphericalFunctionAnswer begin_answer(const SphericalFunctionTask& task, const Requirements& requirements,
@@ -28,6 +30,8 @@ template <class... Parts>
 /// The linkage at a place of the map, with `verify` driven through; nothing where there is none.
 [[nodiscard]] std::optional<FourBarSolution> linkage_at(const FourBarAnswer& answer, MapPoint place,
                                                         bool verify = true);
+/// The same with its path; with `verify` its crank turned through the points, too.
+[[nodiscard]] std::optional<FourBarSolution> linkage_at(const PathAnswer& answer, MapPoint place, bool verify = true);
 [[nodiscard]] std::optional<SphericalSolution> linkage_at(const SphericalAnswer& answer, MapPoint place,
                                                           bool verify = true);
 
@@ -41,6 +45,8 @@ void measure_function(SphericalSolution& found, const SphericalFunctionFamily& f
 [[nodiscard]] Result<Answer> solve_of_kind(const MotionTask& task, const Requirements& requirements,
                                            const SynthesisOptions& options, const Progress& progress);
 [[nodiscard]] Result<Answer> solve_of_kind(const FunctionTask& task, const Requirements& requirements,
+                                           const SynthesisOptions& options, const Progress& progress);
+[[nodiscard]] Result<Answer> solve_of_kind(const PathTask& task, const Requirements& requirements,
                                            const SynthesisOptions& options, const Progress& progress);
 [[nodiscard]] Result<Answer> solve_of_kind(const SphericalMotionTask& task, const Requirements& requirements,
                                            const SynthesisOptions& options, const Progress& progress);

@@ -29,7 +29,7 @@ Notice nothing_defect_free(const Findings& answer, const TaskWords& words, const
   };
   blame(counts.circuit, "cannot be reached without reassembly (circuit)");
   blame(counts.branch - counts.circuit, words.lock);
-  blame(counts.order, directed ? "reach them in another order, or against a direction" : "reach them in another order");
+  blame(counts.order, directed ? fmt::format("{}, or against a direction", words.order) : std::string(words.order));
   return {"none_defect_free",
           fmt::format("None of the {}{} ({}) is free of defects: {}. ", words.four_bars, looked_at(facts),
                       grouped_text(whole), fmt::join(causes, ", ")) +

@@ -14,6 +14,7 @@ struct TaskWords {
   std::string_view linkages = "four-bars";
   std::string_view lock = "lock between two poses (branch)";
   std::string_view ways_out = "Try another order of the poses, {}allow a defect (no_defects: false), or move a pose.";
+  std::string_view order = "reach them in another order";
 };
 
 inline constexpr TaskWords function_words = {
@@ -22,6 +23,11 @@ inline constexpr TaskWords function_words = {
 
 inline constexpr TaskWords spherical_function_words = {"spherical four-bars that generate all pairs", "four-bars",
                                                        function_words.lock, function_words.ways_out};
+
+inline constexpr TaskWords path_words = {
+    "four-bars whose point passes all points at the angles given", "four-bars", "lock between two points (branch)",
+    "Try other angles of the crank, move a point, {}or allow a defect (no_defects: false).",
+    "have a crank that cannot turn from the first point to the last in its sense"};
 
 inline constexpr TaskWords spherical_words = {
     "spherical four-bars that pass through all orientations", "four-bars", "lock between two orientations (branch)",

@@ -33,7 +33,7 @@ std::span<const PrescribedPose> guided_poses(const Task& task) {
 std::span<const BodyPoints> points_of(const Task& task) {
   return std::visit(
       [](const auto& of_kind) -> std::span<const BodyPoints> {
-        if constexpr (requires { of_kind.points; }) return of_kind.points;
+        if constexpr (requires { std::span<const BodyPoints>(of_kind.points); }) return of_kind.points;
         return {};
       },
       task);

@@ -81,6 +81,10 @@ inline constexpr double dead_at_position = 1e-6;
 /// a dead point rounding of the input shows in the output as its root, 1e-8, with two digits for real tasks.
 inline constexpr double pair_met = 1e-6;
 
+/// Distance of a coupler point over the characteristic length, with the crank where it is to be, above which it is not
+/// there: close to a dead point rounding of the crank shows in the point as its root, with two digits for real tasks.
+inline constexpr double point_met = 1e-6;
+
 /// An input angle this close to the end of the reach (radians) is the end: reach and angle carry 1e-15 each, of an arc
 /// cosine and of the whole turns that bring the angle into the reach, and three digits of room.
 inline constexpr double end_of_reach = 1e-12;

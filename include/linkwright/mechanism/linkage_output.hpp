@@ -16,8 +16,8 @@
 namespace linkwright {
 
 /// What a task asks of its linkages, and what errors are of: the pose of a body in the plane, the output's angle, a
-/// body's turn about a centre, the distance of a point from a line.
-enum class OutputKind : std::uint8_t { pose, angle, turn, line };
+/// body's turn about a centre, the distance of a point from a line, the place of a point.
+enum class OutputKind : std::uint8_t { pose, angle, turn, line, point };
 
 /// What is asked of a planar four-bar, and how it lies in each position of its task; errors are taken at the directions
 /// that the input has there.
@@ -34,11 +34,14 @@ struct PlanarOutput {
   /// Of lines: the line is turned and moved to lie best in each linkage made, by least squares over the positions (at
   /// least three); otherwise it stays where it was drawn.
   bool realigned = false;
+  bool of_point = false;  ///< of poses: the point alone counts, and turning_length stays 0
 };
 /// The body's origin is the linkage's point.
 [[nodiscard]] PlanarOutput pose_output(std::vector<TracingFourBar> positions, double turning_length);
 /// Of bars that lie in the first of the poses; turns count as no length.
 [[nodiscard]] PlanarOutput pose_output(const FourBar& bars, std::span<const PrescribedPose> poses);
+/// The same of the body's origin alone: its turns never count.
+[[nodiscard]] PlanarOutput point_output(const FourBar& bars, std::span<const PrescribedPose> poses);
 [[nodiscard]] PlanarOutput angle_output(std::span<const FourBar> positions);
 [[nodiscard]] PlanarOutput angle_output(const FourBar& bars, std::span<const PrescribedPose> poses);
 [[nodiscard]] PlanarOutput line_output(std::vector<TracingFourBar> stroke, const DirectedLine& line, bool realigned);

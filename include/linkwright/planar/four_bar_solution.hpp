@@ -8,6 +8,7 @@
 #include "linkwright/mechanism/four_bar.hpp"
 #include "linkwright/planar/four_bar_family.hpp"
 #include "linkwright/planar/task_family.hpp"
+#include "linkwright/planar/timed_path.hpp"
 
 namespace linkwright {
 
@@ -30,6 +31,7 @@ struct FourBarSolution {
 
   std::optional<PoseError> pose_error;    ///< of the pose that was freed
   std::optional<FunctionError> function;  ///< of function tasks
+  std::optional<TimedPath> path;          ///< of path tasks
 };
 
 /// The four-bar at a place of a task's map, analysed, its residuals in user coordinates; with `verify`, driven through

@@ -19,6 +19,7 @@
 namespace linkwright {
 
 class FunctionFamily;
+class PathFamily;
 
 /// What is known of a task before any two dyads are paired: its conditions, and the family of four-bars that meet them.
 struct TaskFamily {
@@ -36,6 +37,7 @@ struct TaskFamily {
   bool has_no_dyads = false;                    ///< because no two dyads do the task
   std::shared_ptr<const FourBarFamily> family;  ///< none where degenerate
   std::shared_ptr<const FunctionFamily> functions;  ///< of a function task: the family as what it is
+  std::shared_ptr<const PathFamily> paths;          ///< of a path task: the same
 
   bool chose_length = false;  ///< of a grounded link, by maps of all lengths (chosen_length)
   /// The reference for long and short links, user's unit: the characteristic length, for functions the ground link.

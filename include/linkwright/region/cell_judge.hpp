@@ -2,6 +2,7 @@
 
 #include <array>
 #include <cstddef>
+#include <functional>
 #include <optional>
 #include <span>
 #include <vector>
@@ -55,6 +56,7 @@ class CellJudge {
 
  private:
   [[nodiscard]] FailureBits failures(const Cell& cell, bool unknown_passes) const;
+  void add_types(FailureBits bit, const std::function<bool(LinkageType)>& passes);
   void add(const Criterion& asked, FailureBits bit, const Requirements& wanted, std::span<const Measure> measures);
   void add_bound(const Criterion& asked, FailureBits bit, double limit, std::span<const Measure> measures);
 

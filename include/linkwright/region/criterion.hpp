@@ -29,6 +29,7 @@ enum class RequirementKind : std::uint8_t {
   moving_axes_within,
   min_stroke,
   max_deviation,
+  full_turn,
   max_tolerance_error,
   min_yield,
   end  ///< none: how many there are
@@ -37,7 +38,15 @@ inline constexpr auto requirement_kind_count = static_cast<std::size_t>(Requirem
 
 /// A row of the table of all that can be required: filter, reader, writer and reports walk it.
 struct Criterion {
-  enum class Rule : std::uint8_t { one_of_types, without_defects, at_least, at_most, ground_inside, moving_inside };
+  enum class Rule : std::uint8_t {
+    one_of_types,
+    without_defects,
+    turning_fully,
+    at_least,
+    at_most,
+    ground_inside,
+    moving_inside
+  };
   enum class Unit : std::uint8_t { number, length, angle, share };
   /// Where Requirements has what is asked.
   using Asked = std::variant<std::vector<LinkageType> Requirements::*, bool Requirements::*, double Requirements::*,
@@ -102,7 +111,7 @@ struct Criterion {
 
 /// Requirements of one class of linkages, in the order in which they are told: each is a bit of what a cell fails.
 using RequirementKinds = std::span<const RequirementKind>;
-inline constexpr std::size_t max_requirements = 10;
+inline constexpr std::size_t max_requirements = 11;
 /// What a cell fails: a bit to each of them, from the lowest on.
 using FailureBits = std::uint16_t;
 inline constexpr FailureBits all_failures = (1u << max_requirements) - 1;

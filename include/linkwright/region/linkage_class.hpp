@@ -52,6 +52,10 @@ inline constexpr auto planar_requirements = with_analyses(
     std::array{RequirementKind::types, RequirementKind::no_defects, RequirementKind::min_transmission_angle,
                RequirementKind::max_link_ratio, RequirementKind::max_length, RequirementKind::min_length,
                RequirementKind::ground_pivots_within, RequirementKind::moving_pivots_within});
+inline constexpr auto path_requirements = with_analyses(std::array{
+    RequirementKind::types, RequirementKind::no_defects, RequirementKind::min_transmission_angle,
+    RequirementKind::max_link_ratio, RequirementKind::max_length, RequirementKind::min_length,
+    RequirementKind::ground_pivots_within, RequirementKind::moving_pivots_within, RequirementKind::full_turn});
 inline constexpr auto spherical_requirements = with_analyses(
     std::array{RequirementKind::types, RequirementKind::no_defects, RequirementKind::min_transmission_angle,
                RequirementKind::min_link_angle, RequirementKind::max_link_angle, RequirementKind::fixed_axes_within,
@@ -63,6 +67,8 @@ inline constexpr auto straight_line_requirements = with_analyses(
 inline constexpr auto straight_line_objectives =
     with_analyses(std::array{Objective::stroke, Objective::deviation, Objective::min_transmission_angle,
                              Objective::size, Objective::velocity_uniformity});
+inline constexpr auto path_objectives =
+    with_analyses(std::array{Objective::min_transmission_angle, Objective::link_ratio, Objective::size});
 inline constexpr auto planar_objectives = with_analyses(
     std::array{Objective::min_transmission_angle, Objective::link_ratio, Objective::size, Objective::structural_error});
 inline constexpr auto spherical_objectives =
@@ -71,6 +77,8 @@ inline constexpr auto spherical_objectives =
 
 inline constexpr LinkageClass planar_linkages = {class_members::planar_types, class_members::planar_requirements,
                                                  class_members::planar_objectives};
+inline constexpr LinkageClass path_linkages = {class_members::planar_types, class_members::path_requirements,
+                                               class_members::path_objectives};
 inline constexpr LinkageClass spherical_linkages = {
     class_members::spherical_types, class_members::spherical_requirements, class_members::spherical_objectives};
 inline constexpr LinkageClass straight_line_linkages = {

@@ -87,6 +87,10 @@ class LinkageFamily {
   /// Both axes carry the same grounded links: (u, v) and (v, u) are the same bars, driven from the other side.
   [[nodiscard]] virtual bool is_symmetric() const { return false; }
 
+  /// (u, v) and (v, u) are cognates: other bars that do the same, and all that is measured of them but their size is
+  /// the same. Lists then have the smaller of the two.
+  [[nodiscard]] virtual bool has_cognates() const { return false; }
+
   /// The side whose coordinate takes longer to change: a search over both changes it the less often.
   [[nodiscard]] virtual Side costlier_side() const { return Side::input; }
 

@@ -77,7 +77,7 @@ struct PairAnswer : Findings {
   std::vector<PairedDyad> samples;  ///< of the curve, fixed frame, by rising coordinate
   std::vector<Solution> linkages;   ///< best first
   /// Of few dyads (five positions; on the sphere three, too): every pair, whatever its defects, best first; five
-  /// precision points: every linkage.
+  /// precision points, or five positions of a path: every linkage.
   std::vector<Solution> pairs;
 
   /// What the map is of; null without one.
@@ -99,6 +99,10 @@ struct MotionAnswer : FourBarAnswer {
 
 struct FunctionAnswer : FourBarAnswer {
   FunctionTask task;
+};
+
+struct PathAnswer : FourBarAnswer {
+  PathTask task;
 };
 
 struct SphericalAnswer : PairAnswer<SphericalTaskFamily, SphericalDyad, SphericalSolution> {};
@@ -136,7 +140,7 @@ struct StraightLineAnswer : Findings {
 
 /// Everything found for a task, by its kind.
 using Answer = std::variant<MotionAnswer, FunctionAnswer, SixBarAnswer, SphericalMotionAnswer, SphericalFunctionAnswer,
-                            StraightLineAnswer>;
+                            StraightLineAnswer, PathAnswer>;
 
 /// What the answers of all kinds have in common.
 [[nodiscard]] const Findings& findings(const Answer& answer);

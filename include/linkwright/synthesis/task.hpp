@@ -6,6 +6,7 @@
 
 #include "linkwright/planar/function_task.hpp"
 #include "linkwright/planar/motion_task.hpp"
+#include "linkwright/planar/path_task.hpp"
 #include "linkwright/planar/six_bar_task.hpp"
 #include "linkwright/spherical/spherical_function_task.hpp"
 #include "linkwright/spherical/spherical_motion_task.hpp"
@@ -15,9 +16,9 @@ namespace linkwright {
 
 /// What a linkage is asked to do: guide a body by a planar four-bar, generate a function by one, guide a body by a
 /// planar six-bar, guide a body about a fixed centre or generate a function by a spherical four-bar, guide a point
-/// along a line by a planar four-bar.
-using Task =
-    std::variant<MotionTask, FunctionTask, SixBarTask, SphericalMotionTask, SphericalFunctionTask, StraightLineTask>;
+/// along a line by a planar four-bar, or through places at given angles of its crank.
+using Task = std::variant<MotionTask, FunctionTask, SixBarTask, SphericalMotionTask, SphericalFunctionTask,
+                          StraightLineTask, PathTask>;
 
 /// What the linkages of a kind of task can be, and what can be asked of them.
 [[nodiscard]] const LinkageClass& linkages(const Task& task);

@@ -16,6 +16,8 @@ ToleranceLimit::Kind limit_kind(const Task& task, ToleranceLimit::Kind asked) {
     case OutputKind::angle:
     case OutputKind::turn:
       return ToleranceLimit::Kind::angle;
+    case OutputKind::point:
+      return ToleranceLimit::Kind::position;
     default:
       return asked == ToleranceLimit::Kind::deviation ? ToleranceLimit::Kind::position : asked;
   }
@@ -31,8 +33,8 @@ std::vector<Error> mistakes_of_task(const Task& task, const Tolerances& toleranc
                      "the links of a planar linkage are lengths; give their tolerance as \"length\""});
   if (tolerances.limit && limit_kind(task, tolerances.limit->kind) != tolerances.limit->kind)
     found.push_back({"limit_of_task", "tolerances.limit",
-                     "a limit is \"position\" or \"angle_deg\" for a body in the plane, \"angle_deg\" for a function "
-                     "and about a centre, \"deviation\" for a straight line"});
+                     "a limit is \"position\" or \"angle_deg\" for a body in the plane, \"position\" for a path, "
+                     "\"angle_deg\" for a function and about a centre, \"deviation\" for a straight line"});
   return found;
 }
 

@@ -157,6 +157,14 @@ void draw_direction(SvgCanvas& svg, const PlaneWindow& window, const PrescribedP
   }
 }
 
+void draw_place(SvgCanvas& svg, const PlaneWindow& window, Point point, std::size_t number, bool strong) {
+  const Point at = window.to_px(point);
+  svg.circle(at, disc_radius,
+             fill(strong ? palette::ink : palette::paper) + " " + stroke(strong ? palette::ink : palette::ink2, 1.5));
+  svg.text(at + Point{0, 4}, fmt::format("{}", number),
+           {.size = 12, .color = strong ? palette::paper : palette::ink, .anchor = "middle", .weight = 650});
+}
+
 void draw_pose(SvgCanvas& svg, const PlaneWindow& window, const Pose& pose, std::size_t number, bool strong) {
   constexpr double x_arm = 46, y_arm = 30;
   const Point origin = window.to_px(pose.origin);
@@ -164,9 +172,7 @@ void draw_pose(SvgCanvas& svg, const PlaneWindow& window, const Pose& pose, std:
   const double width = strong ? 1.8 : 1.3;
   draw_arrow(svg, origin, origin + x_arm * flipped(direction(pose.angle)), color, width);
   draw_arrow(svg, origin, origin + y_arm * flipped(direction(pose.angle + pi / 2)), color, width);
-  svg.circle(origin, disc_radius, fill(strong ? palette::ink : palette::paper) + " " + stroke(color, 1.5));
-  svg.text(origin + Point{0, 4}, fmt::format("{}", number),
-           {.size = 12, .color = strong ? palette::paper : palette::ink, .anchor = "middle", .weight = 650});
+  draw_place(svg, window, pose.origin, number, strong);
 }
 
 void draw_scale_bar(SvgCanvas& svg, const PlaneWindow& window, Point left, std::string_view unit) {

@@ -54,6 +54,9 @@ void draw_pins(SvgCanvas& svg, const PlaneWindow& window, const FourBar& four_ba
 /// or one bent round the origin where that hardly moves.
 void draw_direction(SvgCanvas& svg, const PlaneWindow& window, const PrescribedPose& pose);
 
+/// A place that a point passes: a disc with its number. `strong`: the first.
+void draw_place(SvgCanvas& svg, const PlaneWindow& window, Point point, std::size_t number, bool strong);
+
 /// The moving frame in a pose: a disc with the pose's number, x and y arms. `strong`: position 1.
 void draw_pose(SvgCanvas& svg, const PlaneWindow& window, const Pose& pose, std::size_t number, bool strong);
 
@@ -116,7 +119,7 @@ void draw_linkage_strip(SvgCanvas& svg, const PixelBox& card, const FourBarAnswe
 
 /// The same card where there is no linkage: why, and the ways out of five positions.
 void draw_reason_strip(SvgCanvas& svg, const PixelBox& card, const MotionAnswer& answer, std::string_view unit);
-void draw_reason_strip(SvgCanvas& svg, const PixelBox& card, const FunctionAnswer& answer, std::string_view unit);
+void draw_reason_strip(SvgCanvas& svg, const PixelBox& card, const FourBarAnswer& answer, std::string_view unit);
 
 /// The four-bar, given as it lies in the first of the poses, as it lies in another one.
 [[nodiscard]] FourBar in_pose(const FourBar& four_bar, std::span<const PrescribedPose> poses, std::size_t pose);

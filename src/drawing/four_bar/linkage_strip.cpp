@@ -100,6 +100,7 @@ std::string place_text(const FourBarFamily& family, Side side, double tau) {
 }
 
 std::string_view place_name(const FourBarFamily& family) {
+  if (family.has_cognates()) return "cranks, its own and its cognate's";
   switch (family.axis(Side::output).quantity) {
     case AxisQuantity::burmester_point:
       return "dyads, by their numbers";
@@ -200,7 +201,7 @@ void draw_reason_strip(SvgCanvas& svg, const PixelBox& card, const MotionAnswer&
   draw_ways_out(svg, card, answer.relaxed, unit);
 }
 
-void draw_reason_strip(SvgCanvas& svg, const PixelBox& card, const FunctionAnswer& answer, std::string_view /*unit*/) {
+void draw_reason_strip(SvgCanvas& svg, const PixelBox& card, const FourBarAnswer& answer, std::string_view /*unit*/) {
   draw_card(svg, card, nothing_heading);
   draw_wrapped(svg, card.corner() + reason_corner, answer.reason.message, card.width - 36, 2);
 }

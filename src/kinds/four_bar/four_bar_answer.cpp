@@ -55,6 +55,8 @@ bool is_curve_expected(const MotionTask& task) {
 
 bool is_curve_expected(const FunctionTask& task) { return position_count(task.pairs) == 4; }
 
+bool is_curve_expected(const PathTask& task) { return position_count(task.points) == 4; }
+
 void visit_curve(FieldVisitor& v, const FourBarAnswer& answer) {
   const BurmesterCurve* curve = answer.given.curve.get();
   v.object({.name = "curve", .on_lines = true}, [&](FieldVisitor& to) {
@@ -132,5 +134,6 @@ StoredLinkage stored(const FourBarSolution& found, const MotionAnswer& answer) {
 }
 
 StoredLinkage stored(const FourBarSolution& found, const FunctionAnswer& answer) { return stored(found, answer, {}); }
+StoredLinkage stored(const FourBarSolution& found, const PathAnswer& answer) { return stored(found, answer, {}); }
 
 }  // namespace linkwright

@@ -28,4 +28,16 @@ void list_columns(LinkageColumns& list, const FunctionTask& /*task*/) {
   list_function(list);
 }
 
+void list_columns(LinkageColumns& list, const PathTask& /*task*/) {
+  add_four_bar(list);
+  list.lengths({{"point_to_input", "From the point to the moving pivot of the input"},
+                {"point_to_output", "From the point to the moving pivot of the output"}});
+  list.point("point", "Point of the coupler in position 1", LinkageColumn::usual);
+  list.flag("full_turn", "The crank turns fully", LinkageColumn::usual);
+  list.flag("circuit_order", "Along its circuit the points come in their order");
+  list.length("position_error", "By driving: largest distance of the point from where it is to be");
+  list.angle("timing_error_deg", "By driving: largest turn of the crank to where the point is nearest");
+  list.number("cognate.size_ratio", "", "Crank of the cognate over this one");
+}
+
 }  // namespace linkwright

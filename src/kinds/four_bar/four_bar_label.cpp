@@ -152,4 +152,24 @@ AxisLabel axis_label(const FunctionAnswer& answer, Side side, std::string_view /
   return generator_axis_label(axis_of(answer, side), side, answer.task);
 }
 
+std::string label_of(const PathTask& task) {
+  return fmt::format("path through {} at given crank angles ({})", positions_text(position_count(task.points)),
+                     pattern(task.points));
+}
+std::string short_label_of(const PathTask& task) {
+  return fmt::format("path through {}", positions_text(position_count(task.points)));
+}
+
+AxisLabel axis_label(const PathAnswer& answer, Side side, std::string_view /*length_unit*/) {
+  MapAxis axis = axis_of(answer, side);
+  const bool drives = side == Side::input, are_few = axis.quantity == AxisQuantity::burmester_point;
+  const std::string_view link = drives ? "crank" : "crank of the cognate", title = drives ? "Crank" : "Cognate's crank";
+  AxisLabel label{fmt::format("{}, {}", link, are_few ? "one of the few" : "coordinate on its curve"),
+                  are_few ? fmt::format("{}, by its number", title) : fmt::format("{}, τ{}", title, drives ? "₁" : "₂"),
+                  are_few ? "1" : "tau", name(axis.quantity), std::move(axis.branches)};
+  if (axis.quantity == AxisQuantity::curve_coordinate)
+    label.quantity = drives ? "crank_coordinate" : "cognate_coordinate";
+  return label;
+}
+
 }  // namespace linkwright

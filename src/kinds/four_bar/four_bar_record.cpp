@@ -4,6 +4,7 @@
 #include "files/function/function_error_fields.hpp"
 #include "files/linkage_fields.hpp"
 #include "files/problem_fields.hpp"
+#include "path_record.hpp"
 
 namespace linkwright {
 namespace {
@@ -66,7 +67,7 @@ FourBarNotes notes_on(const FourBarSolution& found, const TaskFamily& given) {
   FourBarNotes notes;
   notes.defect = defect_notice(found, given);
   if (given.relaxed) notes.pose_error_size = given.relaxed->size;
-  if (found.function || given.relaxed) notes.poses = family.user_poses(place, found.four_bar);
+  if (found.function || found.path || given.relaxed) notes.poses = family.user_poses(place, found.four_bar);
   notes.free_value = free_value(family, place);
   return notes;
 }
@@ -74,9 +75,11 @@ FourBarNotes notes_on(const FourBarSolution& found, const TaskFamily& given) {
 namespace {
 
 void poses_field(FieldVisitor& v, const std::vector<PrescribedPose>& poses) {
-  const Field field("poses",
-                    "Of the coupler, as in problem files, where they are not the task's: of functions (origin in the "
-                    "input's moving pivot, angle 0 at the first pair), and of five positions with one freed.");
+  const Field field(
+      "poses",
+      "Of the coupler, as in problem files, where they are not the task's: of functions (origin in the "
+      "input's moving pivot, angle 0 at the first pair), of paths (origin in the point, angle 0 in position 1), and "
+      "of five positions with one freed.");
   const List list = {.what = "", .least = 1, .most = 5, .on_lines = true};
   v.member(field.written(!poses.empty()), false, [&](FieldVisitor& at) {
     visit_each(at, list, poses, [](FieldVisitor& to, PrescribedPose pose) {
@@ -118,16 +121,17 @@ void fields(FieldVisitor& v, const FourBarRecord& of) {
     to.constant("mechanism", "four_bar");
     to.shown("input", DyadRecord{found.input, found.input_residual, of.frame});
     to.shown("output", DyadRecord{found.output, found.output_residual, of.frame});
-    to.shown("lengths", found.lengths);
+    lengths_field(to, found);
     to.shown("link_ratio", found.lengths.longest() / found.lengths.shortest(), Number{.least = 1});
     verdict_fields(to, found.report);
     drive_fields(to, found.report);
     residual_fields(to, found);
     error_fields(to, found, of.notes.pose_error_size);
+    path_fields(to, found);
     to.shown("local_optimum", found.local_optimum);
     to.shown(Field("verified_by_driving",
                    "Driven through the task it has the defects told; of functions, free of defects, it also stood "
-                   "right at each pair."),
+                   "right at each pair, of paths the point at each point."),
              found.verified_by_driving);
     note_fields(to, of.notes);
     swapped_field(to, found.swapped);

@@ -135,6 +135,10 @@ std::optional<FourBarSolution> solution_at(const FunctionAnswer& known, MapPoint
   return found;
 }
 
+std::optional<FourBarSolution> solution_at(const PathAnswer& known, MapPoint place, bool verify) {
+  return linkage_at(known, place, verify);
+}
+
 void describe(PickedLinkage& picked, const FourBarAnswer& known, const FourBarSolution* found) {
   if (found == nullptr) {
     picked.reason = why_degenerate(known.given, picked.place);

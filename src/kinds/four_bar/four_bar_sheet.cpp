@@ -61,6 +61,11 @@ std::string_view no_region_words(const MotionAnswer& answer) {
              ? "There is no solution region: the dyads of this task do not form a curve."
              : "There is no solution region: no two dyads do this task.";
 }
+std::string_view no_region_words(const PathAnswer& answer) {
+  return position_count(answer.task.points) == 4
+             ? "There is no solution region: the cranks of this task do not form a curve."
+             : "There is no solution region: no two cranks do this task.";
+}
 std::string_view no_region_words(const FunctionAnswer& /*answer*/) {
   return "There is no solution region: no two dyads do this task.";
 }
@@ -102,6 +107,10 @@ std::string kind_words(const FunctionAnswer& answer) {
   return with_curve(sentence_case(task_label(answer.task)), answer, "curve of couplers");
 }
 
+std::string kind_words(const PathAnswer& answer) {
+  return with_curve(sentence_case(task_label(answer.task)), answer, "curve of cranks");
+}
+
 std::string subtitle(std::string text, const Findings& found) {
   if (found.counts.pairs == 0) return text;
   return text + fmt::format("{0}{1} {4} sampled{0}{2} free of defects{0}{3} {5} the requirements", separator,
@@ -126,5 +135,6 @@ std::string draw_four_bars(const Problem& problem, const KindAnswer& answer) {
 
 std::string draw_sheet(const Problem& problem, const MotionAnswer& answer) { return draw_four_bars(problem, answer); }
 std::string draw_sheet(const Problem& problem, const FunctionAnswer& answer) { return draw_four_bars(problem, answer); }
+std::string draw_sheet(const Problem& problem, const PathAnswer& answer) { return draw_four_bars(problem, answer); }
 
 }  // namespace linkwright

@@ -1,0 +1,54 @@
+#include <fmt/format.h>
+
+#include "linkwright/core/angle.hpp"
+#include "linkwright/files/length_unit.hpp"
+#include "linkwright/files/number_text.hpp"
+#include "planar/timed_cranks.hpp"
+#include "report.hpp"
+#include "text_table.hpp"
+
+namespace linkwright::cli {
+
+std::string crank_words(const PathAnswer& answer) {
+  const TaskFamily& given = answer.given;
+  if (given.points.empty()) return "";
+  const int decimals = std::min(length_decimals(given.frame().scale), 9);
+  TextTable table({"#", "ground pivot", "moving pivot", "length", "arm to the point"});
+  for (std::size_t i = 0; i < given.points.size(); ++i) {
+    const Dyad crank = given.frame().to_user(crank_link(given.points[i].dyad));
+    const auto center = given.frame().finite_user_point(crank.center),
+               circle = given.frame().finite_user_point(crank.circle);
+    const auto text = [&](const std::optional<Point>& p) { return p ? pivot_text(*p, decimals) : "at infinity"; };
+    const auto distance = [&](const std::optional<Point>& p, Point q) {
+      return p ? rounded_text(std::abs(*p - q), decimals) : "–";
+    };
+    table.add_row({fmt::format("{}", i + 1), text(center), text(circle), center ? distance(circle, *center) : "–",
+                   distance(circle, given.frame().origin)});
+  }
+  return "\nCranks of all five positions, moving pivots in position 1:\n" + table.text();
+}
+
+std::string path_table(const Problem& problem, const PathAnswer& answer) {
+  if (answer.linkages.empty()) return "";
+  const int decimals = decimals_for(answer.linkages);
+  TextTable table({"#", "arm to input", "arm to output", "<full turn", "<order on circuit", "cognate", "<off by"});
+  for (std::size_t i = 0; i < answer.linkages.size(); ++i) {
+    const FourBarSolution& found = answer.linkages[i];
+    if (!found.path) continue;
+    const TimedPath& path = *found.path;
+    const auto arm = [&](Point pivot) { return rounded_text(std::abs(path.point - pivot), decimals); };
+    const std::string off = fmt::format("{}{}{}", significant_text(path.position_error, 2),
+                                        problem.length_unit.empty() ? "" : " ", problem.length_unit);
+    table.add_row({fmt::format("{}", i + 1), arm(found.four_bar.input_moving), arm(found.four_bar.output_moving),
+                   path.full_turn ? "yes" : "no",
+                   !path.circuit_order   ? "–"
+                   : *path.circuit_order ? "as listed"
+                                         : "another",
+                   "× " + significant_text(path.cognate_size, 4), found.report.defects.none() ? off : "–"});
+  }
+  return "\nThe point: its arms, the size of the cognate with the same path, and how far driving the crank to the "
+         "angles\ngiven found it off:\n" +
+         table.text();
+}
+
+}  // namespace linkwright::cli

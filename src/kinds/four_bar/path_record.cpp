@@ -1,0 +1,126 @@
+#include "path_record.hpp"
+
+#include <cmath>
+
+#include "files/fields/result_forms.hpp"
+#include "files/linkage_fields.hpp"
+#include "four_bar_kind.hpp"
+#include "planar/timed_cranks.hpp"
+
+namespace linkwright {
+namespace {
+
+std::vector<double> degrees_of_all(const std::vector<double>& radians) {
+  std::vector<double> all;
+  for (const double each : radians) all.push_back(degrees(each));
+  return all;
+}
+
+/// A grounded link of the cognate, whose pivots may have run to infinity.
+void link_field(FieldVisitor& v, std::string_view key, Point center, Point circle) {
+  const auto if_finite = [](Point p) { return std::isfinite(std::norm(p)) ? std::optional(p) : std::nullopt; };
+  v.member(key, true, [&](FieldVisitor& at) {
+    at.object({.name = "cognate_link"}, [&](FieldVisitor& to) {
+      to.shown("center_point", if_finite(center), forms::shown_point);
+      to.shown("circle_point", if_finite(circle), forms::shown_point);
+    });
+  });
+}
+
+void cognate_field(FieldVisitor& v, const std::optional<TimedPath>& of) {
+  const TimedPath none;
+  const TimedPath& path = of ? *of : none;
+  const FourBar& bars = path.cognate;
+  const Object described = {"timed_cognate",
+                            "The other four-bar with the same path and timing; fixed frame, position 1. null: at "
+                            "infinity."};
+  v.member(Field("cognate", "Paths.").written(of.has_value()), false, [&](FieldVisitor& at) {
+    at.object(described, [&](FieldVisitor& to) {
+      link_field(to, "input", bars.input_fixed, bars.input_moving);
+      link_field(to, "output", bars.output_fixed, bars.output_moving);
+      to.shown(Field("size_ratio", "Its crank over this one."), path.cognate_size, forms::not_negative);
+    });
+  });
+}
+
+/// A crank as one builds it, and as a dyad.
+struct CrankRecord {
+  const BurmesterPoint& point;
+  const WorkingFrame& frame;
+};
+
+void fields(FieldVisitor& v, const CrankRecord& of) {
+  const Dyad user = of.frame.to_user(crank_link(of.point.dyad));
+  const auto center = of.frame.finite_user_point(user.center), circle = of.frame.finite_user_point(user.circle);
+  const Point first = of.frame.origin;
+  const auto distance = [](const std::optional<Point>& a, const std::optional<Point>& b) {
+    return a && b ? std::optional(std::abs(*a - *b)) : std::nullopt;
+  };
+  const Object described = {"crank", "Fixed frame, position 1; null: at infinity.", true};
+  v.object(described, [&](FieldVisitor& to) {
+    to.shown("center_point", center, forms::shown_point);
+    to.shown("moving_pivot", circle, forms::shown_point);
+    to.shown("crank_length", distance(center, circle), forms::not_negative);
+    to.shown(Field("point_arm", "From its moving pivot to the point."), distance(circle, first), forms::not_negative);
+  });
+}
+
+}  // namespace
+
+void lengths_field(FieldVisitor& v, const FourBarSolution& found) {
+  const LinkLengths& lengths = found.lengths;
+  const auto arm = [&](Point pivot) {
+    return found.path ? std::optional(std::abs(found.path->point - pivot)) : std::nullopt;
+  };
+  constexpr Number bar = {.least = 0, .above = true};
+  v.member("lengths", true, [&](FieldVisitor& at) {
+    at.object({.name = "four_bar_lengths"}, [&](FieldVisitor& to) {
+      to.shown("ground", lengths.ground, bar);
+      to.shown("input", lengths.input, bar);
+      to.shown("coupler", lengths.coupler, bar);
+      to.shown("output", lengths.output, bar);
+      to.shown_if_any(Field("point_to_input", "Paths: from the point to the input's moving pivot."),
+                      arm(found.four_bar.input_moving), forms::not_negative);
+      to.shown_if_any(Field("point_to_output", "Paths: from the point to the output's moving pivot."),
+                      arm(found.four_bar.output_moving), forms::not_negative);
+    });
+  });
+}
+
+void path_fields(FieldVisitor& v, const FourBarSolution& found) {
+  const bool is = found.path.has_value(), is_clean = is && found.report.defects.none();
+  const TimedPath none;
+  const TimedPath& path = is ? *found.path : none;
+  v.shown_if_any(Field("point", "Paths: the point of the coupler in position 1."), forms::where(is, path.point),
+                 forms::shown_point);
+  v.shown_if_any(Field("input_deg_at_points", "Paths: turns of the crank from position 1, as given."),
+                 forms::where(is, degrees_of_all(path.input)), forms::on_a_line, Number{});
+  v.shown_if_any(Field("theta_deg_at_points", "Paths: turns of the coupler from position 1, in (-180, 180]."),
+                 forms::where(is, degrees_of_all(path.coupler)), forms::on_a_line, Number{});
+  cognate_field(v, found.path);
+  v.shown_if_any(Field("full_turn", "Paths: the crank turns fully, so that the path is closed."),
+                 forms::where(is, path.full_turn));
+  std::optional<bool> in_order = path.circuit_order;
+  v.optional(Field("circuit_order",
+                   "Paths: along the circuit of the linkage, either way round, the points come as they are listed; "
+                   "null where they lie on different circuits.")
+                 .null_for_none()
+                 .written(is),
+             in_order);
+  v.shown_if_any(Field("position_error",
+                       "Paths, free of defects: by driving, the largest distance of the point from where it is to be "
+                       "with the crank as given."),
+                 forms::where(is_clean, path.position_error), forms::not_negative);
+  v.shown_if_any(Field("timing_error_deg",
+                       "Paths, free of defects: by driving, the largest turn of the crank from there to where the "
+                       "point is nearest."),
+                 forms::where(is_clean, degrees(path.timing_error)), forms::not_negative);
+}
+
+void visit_cranks(FieldVisitor& v, const PathAnswer& answer) {
+  visit_each(v, forms::on_lines, answer.given.points, [&](FieldVisitor& to, const BurmesterPoint& point) {
+    fields(to, CrankRecord{point, answer.given.frame()});
+  });
+}
+
+}  // namespace linkwright

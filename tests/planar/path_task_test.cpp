@@ -1,0 +1,136 @@
+#include "linkwright/planar/path_task.hpp"
+
+#include <gtest/gtest.h>
+#include <limits>
+
+#include "linkwright/core/angle.hpp"
+#include "support/path_case.hpp"
+
+namespace linkwright::path_task_test {
+namespace {
+
+using testing::timed_points;
+
+std::string codes(const PathTask& task) {
+  std::string text;
+  for (const Error& e : mistakes_in(task)) text += (text.empty() ? "" : " ") + e.code + "@" + e.place.substr(5);
+  return text;
+}
+
+PathTask claw() { return timed_points({{0, 9.5, 0}, {0.1, 3.2, 35}, {0.1, -3.3, 70}, {0, -9.5, 105}}); }
+
+TEST(PathTask, TakesFourAndFivePositionsOfAnyPattern) {
+  EXPECT_EQ(codes(claw()), "");
+  PathTask task = claw();
+  task.points[2].derivatives = {{{0, -1}, std::nullopt}};
+  EXPECT_EQ(codes(task), "");
+  task.points[0].derivatives = {{{0, -1}, 1.0}};
+  EXPECT_EQ(codes(task), "too_many_path_positions@points");
+  task = claw();
+  task.points.pop_back();
+  EXPECT_EQ(codes(task), "too_few_path_points@points");
+  task.points[1].derivatives = {{{0, -1}, std::nullopt}};
+  EXPECT_EQ(codes(task), "");
+  task.points.pop_back();
+  EXPECT_EQ(codes(task), "too_few_path_positions@points");
+  EXPECT_EQ(codes(PathTask{}), "too_few_path_points@points");
+}
+
+TEST(PathTask, AsksForTheCrankAtEveryPoint) {
+  PathTask task = claw();
+  task.points[2].input.reset();
+  EXPECT_EQ(codes(task), "untimed_point@points[2]");
+}
+
+TEST(PathTask, TakesNumbersOnly) {
+  PathTask task = claw();
+  task.points[1].point = {0, std::numeric_limits<double>::infinity()};
+  task.points[3].input = std::numeric_limits<double>::quiet_NaN();
+  EXPECT_EQ(codes(task), "number_range@points[1].y number_range@points[3].input_deg");
+  task = claw();
+  task.points.pop_back();
+  task.points[0].derivatives = {{{1e12, 0}, std::numeric_limits<double>::infinity()}};
+  EXPECT_EQ(codes(task), "number_range@points[0].derivatives[0].x number_range@points[0].derivatives[0].input");
+}
+
+// The tasks that are refused say the sentences that the case file expects.
+TEST(PathTask, RefusesWhatACrankCannotDo) {
+  const auto items = testing::path_case("nasty_timed").json.at("items");
+  int refused = 0;
+  for (const auto& item : items) {
+    const auto mistakes = mistakes_in(testing::path_task(item.at("task")));
+    const std::string name = item.at("name");
+    if (name == "reversing_crank") {
+      ASSERT_EQ(mistakes.size(), 1u);
+      EXPECT_EQ(mistakes[0].code, "crank_reverses");
+      EXPECT_EQ(mistakes[0].place, "task.points[2].input_deg");
+      continue;
+    }
+    EXPECT_EQ(mistakes.size(), item.at("expect").contains("refused") ? 1u : 0u) << name;
+    refused += static_cast<int>(mistakes.size());
+  }
+  EXPECT_EQ(refused, 4);
+}
+
+std::string message(const PathTask& task) {
+  const auto found = mistakes_in(task);
+  return found.empty() ? "" : found.front().message;
+}
+
+TEST(PathTask, NamesThePointsByTheirNumbers) {
+  const auto starts = [](const PathTask& task, const std::string& text) {
+    EXPECT_EQ(message(task).substr(0, text.size()), text);
+  };
+  starts(timed_points({{0, 0, 0}, {10, 4, 40}, {13, -5, 40}, {2, 8, 40}}),
+         "points 2, 3 and 4 have the same crank angle;");
+  starts(timed_points({{0, 0, 0}, {10, 4, 40}, {13, -5, 190}, {2, 8, 360}}),
+         "points 1 and 4 have the same crank angle, modulo 360;");
+  starts(timed_points({{0, 0, 0}, {10, 4, 40}, {13, -5, 190}, {0, 0, 360}}),
+         "point 4 is point 1 again after a full turn of the crank; leave it out");
+  starts(timed_points({{0, 0, 0}, {10, 4, 150}, {13, -5, 300}, {2, 8, 450}}),
+         "the crank passes point 4 (90° from point 1, modulo 360) before point 2;");
+  starts(timed_points({{0, 0, 0}, {0, 0, 0}, {13, -5, 300}, {2, 8, 350}}),
+         "points 1 and 2 are the same at the same angle of the crank;");
+  EXPECT_EQ(message(timed_points({{0, 0, 0}, {10, 4, -150}, {13, -5, -300}, {2, 8, -359}})), "") << "clockwise";
+  EXPECT_EQ(message(timed_points({{0, 0, 0}, {10, 4, 40}, {10, 4, 90}, {2, 8, 150}})), "") << "a dwell";
+}
+
+TEST(PathTask, TheCrankMovesOnAtADerivative) {
+  PathTask task = claw();
+  task.points.pop_back();
+  task.points[1].derivatives = {{{0, -1}, 0.0}};
+  EXPECT_EQ(codes(task), "crank_at_rest@points[1].derivatives[0].input");
+  task.points[1].derivatives = {{{0, 1}, -1.0}};
+  EXPECT_EQ(codes(task), "crank_against_sense@points[1].derivatives[0].input");
+  for (PathPoint& point : task.points) *point.input *= -1;
+  EXPECT_EQ(codes(task), "");
+  EXPECT_EQ(crank_sense(task), -1);
+}
+
+TEST(PathTask, CrankPosesTurnWithTheCrankAndAreCarriedByThePoint) {
+  PathTask task = timed_points({{3, 4, 20}, {5, 6, -30}, {7, 9, -80}});
+  task.points[1].derivatives = {{{1, 2}, std::nullopt}};
+  task.points[2].derivatives = {{{2, 3}, -2.0}};
+  const auto poses = crank_poses(task);
+  ASSERT_EQ(poses.size(), 3u);
+  EXPECT_EQ(pattern(poses), "P-PP-PP");
+  EXPECT_EQ(poses[0].pose.origin, (Point{3, 4}));
+  EXPECT_EQ(poses[0].pose.angle, 0);
+  EXPECT_NEAR(degrees(poses[1].pose.angle), -50, 1e-12);
+  EXPECT_NEAR(degrees(poses[2].pose.angle), -100, 1e-12);
+  EXPECT_EQ(poses[1].derivatives[0], (PoseDerivative{{1, 2}, -1})) << "one radian on, clockwise as the task";
+  EXPECT_EQ(poses[2].derivatives[0], (PoseDerivative{{2, 3}, -2}));
+}
+
+TEST(PathTask, HigherDerivativesOfTheCrankAreNothingByItsOwnTurn) {
+  PathTask task;
+  task.points = {{{0, 0}, 0.0, {{{1, 0}, std::nullopt}, {{0, 1}, std::nullopt}, {{0, 0}, std::nullopt}}}};
+  EXPECT_EQ(codes(task), "");
+  const auto poses = crank_poses(task);
+  EXPECT_EQ(poses[0].derivatives[0].angle, 1);
+  EXPECT_EQ(poses[0].derivatives[1].angle, 0);
+  EXPECT_EQ(poses[0].derivatives[2].angle, 0);
+}
+
+}  // namespace
+}  // namespace linkwright::path_task_test
