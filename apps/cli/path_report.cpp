@@ -1,9 +1,10 @@
+#include <algorithm>
 #include <fmt/format.h>
 
 #include "linkwright/core/angle.hpp"
 #include "linkwright/files/length_unit.hpp"
 #include "linkwright/files/number_text.hpp"
-#include "planar/timed_cranks.hpp"
+#include "linkwright/planar/path_crank.hpp"
 #include "report.hpp"
 #include "text_table.hpp"
 

@@ -36,6 +36,7 @@
 #include "linkwright/mechanism/linkage_type.hpp"
 #include "linkwright/mechanism/position.hpp"
 #include "linkwright/planar/four_bar_solution.hpp"
+#include "linkwright/planar/path_crank.hpp"
 #include "linkwright/region/requirement_filter.hpp"
 #include "linkwright/solve/halo.hpp"
 #include "linkwright/solve/session.hpp"

@@ -8,10 +8,10 @@
 #include "drawing/four_bar/linkage_figure.hpp"
 #include "linkwright/core/angle.hpp"
 #include "linkwright/files/task_label.hpp"
+#include "linkwright/planar/path_crank.hpp"
 #include "palette.hpp"
 #include "planar/function_couplers.hpp"
 #include "planar/function_family.hpp"
-#include "planar/timed_cranks.hpp"
 
 namespace linkwright {
 namespace {

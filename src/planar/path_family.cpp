@@ -6,6 +6,7 @@
 #include <utility>
 
 #include "linkwright/core/tolerance.hpp"
+#include "linkwright/planar/path_crank.hpp"
 #include "linkwright/planar/timed_path.hpp"
 #include "region/pair_map.hpp"
 #include "timed_cranks.hpp"

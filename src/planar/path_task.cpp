@@ -113,7 +113,7 @@ void check_equal_angles(const PathTask& task, std::vector<Error>& found) {
     }
     if (equal.size() == 1) continue;
     const std::string points = list_words(equal);
-    return found.push_back({"equal_crank_angles",
+    return found.push_back({are_whole_turns_apart ? "equal_crank_angles_after_turn" : "equal_crank_angles",
                             place_of_point(equal[1]) + ".input_deg",
                             fmt::format("points {} have the same crank angle{}; a crank that stands takes the point to "
                                         "one place only, so change an angle",
@@ -133,6 +133,7 @@ void check_span(const PathTask& task, std::vector<Error>& found) {
   for (std::size_t j = 1; j < task.points.size(); ++j) {
     const double beyond = std::abs(turned(task, j)) - two_pi;
     if (beyond < 0) continue;
+    const double angle = std::round(1e3 * degrees(std::fmod(beyond, two_pi))) / 1e3;
     std::size_t before = 1;
     while (before < j && std::fmod(beyond, two_pi) > std::abs(turned(task, before))) ++before;
     return found.push_back(
@@ -140,8 +141,8 @@ void check_span(const PathTask& task, std::vector<Error>& found) {
          place_of_point(j) + ".input_deg",
          fmt::format("the crank passes point {} ({:g}° from point 1, modulo 360) before point {}; order the "
                      "points by crank angle, within one turn",
-                     j + 1, degrees(std::fmod(beyond, two_pi)), before + 1),
-         {{"j", j + 1}, {"angle_deg", degrees(std::fmod(beyond, two_pi))}, {"i", before + 1}}});
+                     j + 1, angle, before + 1),
+         {{"j", j + 1}, {"angle", angle}, {"i", before + 1}}});
   }
 }
 

@@ -4,13 +4,6 @@
 
 namespace linkwright {
 
-Dyad crank_link(const Dyad& crank) {
-  const auto center = finite_point(crank.center), circle = finite_point(crank.circle);
-  if (!center) return {crank.center, crank.center, crank.coordinate};
-  if (!circle) return {crank.center, crank.circle, crank.coordinate};
-  return {crank.center, Homogeneous::of(*center - *circle), crank.coordinate};
-}
-
 std::optional<DyadPair> linkage_of_cranks(const Dyad& crank, const Dyad& cognate) {
   const auto center = finite_point(crank.center), circle = finite_point(crank.circle);
   const auto other = finite_point(cognate.circle);

@@ -10,10 +10,6 @@ namespace linkwright {
 // point of the path. A crank is a dyad of the body that turns with it: its centre is the ground pivot of the crank,
 // which reaches from there as far as from the dyad's circle point to the origin.
 
-/// The crank itself as a grounded link: from its ground pivot to its moving pivot in position 1. A pivot at infinity
-/// stays there.
-[[nodiscard]] Dyad crank_link(const Dyad& crank);
-
 /// The four-bar that `crank` drives and whose cognate is driven by `cognate`: input and output link with the dyads'
 /// coordinates. The output is a slider where the cognate's centre lies at infinity. Nothing where the crank has no
 /// length or a point at infinity, where the cognate's circle point lies at infinity, and where both are one.

@@ -53,7 +53,7 @@ TEST(CellLaw, AgreesWithTheMapOfEveryKind) {
   for (const std::string name :
        {"tailgate", "landing_gear", "dump_bucket", "hood_hinge", "sine_generator", "log_generator",
         "loader_bucket_chain", "wrist_orthosis", "antenna_pointing", "universal_joint_like", "straight_stage",
-        "straight_indicator", "straight_luffing_crane"}) {
+        "straight_indicator", "straight_luffing_crane", "film_claw"}) {
     SCOPED_TRACE(name);
     auto problem = read_problem_file(std::filesystem::path(LINKWRIGHT_EXAMPLES_DIR) / (name + ".json"));
     ASSERT_TRUE(problem);

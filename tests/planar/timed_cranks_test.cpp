@@ -50,22 +50,6 @@ TEST(TimedCranks, PairsOfTheFewAreAllLinkagesOfFivePositions) {
   expect_linkages_of_case("packaging_feeder_timed_five_mixed", 2);
 }
 
-TEST(TimedCranks, AreTheCranksOfTheCase) {
-  const testing::PathCase c = testing::path_case("stirrer_timed_five");
-  const PoseConditions conditions = pose_conditions(crank_poses(c.task));
-  const BurmesterPoints found = burmester_points(conditions);
-  for (const auto& crank : c.json.at("cranks")) {
-    const auto is_it = [&](const BurmesterPoint& point) {
-      const Dyad link = conditions.frame.to_user(crank_link(point.dyad));
-      const auto center = finite_point(link.center), circle = finite_point(link.circle);
-      const Point wanted_center{crank["center_point"][0], crank["center_point"][1]},
-          wanted_circle{crank["moving_pivot"][0], crank["moving_pivot"][1]};
-      return center && circle && std::abs(*center - wanted_center) < 1e-9 && std::abs(*circle - wanted_circle) < 1e-9;
-    };
-    EXPECT_EQ(std::count_if(found.points.begin(), found.points.end(), is_it), 1);
-  }
-}
-
 // 0, 2 or 12, never anything else: cranks are 0, 2 or 4.
 TEST(TimedCranks, FivePositionsHaveNoneTwoOrTwelveLinkages) {
   std::mt19937_64 random(5);

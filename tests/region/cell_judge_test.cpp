@@ -52,6 +52,26 @@ TEST(CellJudge, NamesEachRequirementThatFails) {
                    RequirementKind::moving_pivots_within}));
 }
 
+TEST(CellJudge, AFullTurnIsThatOfACrank) {
+  Requirements wanted;
+  wanted.full_turn = true;
+  const auto failed_by = [&](LinkageType type) {
+    Cell of_type = cell();
+    of_type.type = type;
+    return failed(wanted, of_type, path_linkages);
+  };
+  EXPECT_EQ(failed_by(LinkageType::crank_rocker), Kinds{});
+  EXPECT_EQ(failed_by(LinkageType::double_crank), Kinds{});
+  for (const LinkageType type : {LinkageType::rocker_crank, LinkageType::double_rocker, LinkageType::change_point,
+                                 LinkageType::triple_rocker_input})
+    EXPECT_EQ(failed_by(type), Kinds{RequirementKind::full_turn});
+  wanted.types = {LinkageType::double_rocker};
+  EXPECT_EQ(failed_by(LinkageType::crank_rocker), Kinds{RequirementKind::types});
+  EXPECT_EQ(failed_by(LinkageType::rocker_crank), (Kinds{RequirementKind::types, RequirementKind::full_turn}));
+  wanted = {};
+  EXPECT_EQ(failed_by(LinkageType::rocker_crank), Kinds{});
+}
+
 TEST(CellJudge, HoldsNothingAgainstWhatIsNotKnownYet) {
   Requirements wanted;
   wanted.min_transmission_angle = radians(80);

@@ -16,7 +16,7 @@ std::vector<std::string> places_of_mistakes(const Requirements& wanted, const Li
 using Places = std::vector<std::string>;
 
 TEST(LinkageClass, HasNoMoreRequirementsThanAByteHasBits) {
-  for (const LinkageClass& of : {planar_linkages, spherical_linkages}) {
+  for (const LinkageClass& of : {planar_linkages, spherical_linkages, straight_line_linkages, path_linkages}) {
     EXPECT_LE(of.requirements.size(), max_requirements);
     EXPECT_EQ(std::count(of.types.begin(), of.types.end(), LinkageType::degenerate), 1);
     EXPECT_FALSE(of.objectives.empty());
@@ -48,6 +48,13 @@ TEST(LinkageClass, RefusesThoseOfAnother) {
   EXPECT_EQ(places_of_mistakes(spherical, planar_linkages),
             (Places{"requirements.types", "requirements.min_link_angle_deg", "requirements.max_link_angle_deg",
                     "requirements.fixed_axes_within", "requirements.moving_axes_within"}));
+}
+
+TEST(LinkageClass, AFullTurnIsAskedOfPathsAlone) {
+  Requirements wanted;
+  wanted.full_turn = true;
+  EXPECT_TRUE(mistakes_in(wanted, path_linkages).empty());
+  EXPECT_EQ(places_of_mistakes(wanted, planar_linkages), Places{"requirements.full_turn"});
 }
 
 TEST(LinkageClass, TakesWhatIsSwitchedOff) {

@@ -5,7 +5,7 @@
 #include "files/fields/result_forms.hpp"
 #include "files/linkage_fields.hpp"
 #include "four_bar_kind.hpp"
-#include "planar/timed_cranks.hpp"
+#include "linkwright/planar/path_crank.hpp"
 
 namespace linkwright {
 namespace {

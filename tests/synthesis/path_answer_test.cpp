@@ -1,0 +1,187 @@
+#include <algorithm>
+#include <gtest/gtest.h>
+#include <set>
+
+#include "linkwright/core/angle.hpp"
+#include "linkwright/synthesis/solve.hpp"
+#include "support/path_case.hpp"
+#include "support/solved.hpp"
+
+namespace linkwright::path_answer_test {
+namespace {
+
+PathAnswer solved(const PathTask& task, const Requirements& wanted = {}, const SynthesisOptions& options = {}) {
+  return testing::solved_as<PathAnswer>(task, wanted, options);
+}
+
+SynthesisOptions coarse() {
+  SynthesisOptions options;
+  options.region_samples = 60;
+  return options;
+}
+
+// Of the answer's linkages nothing is believed: the bars alone are closed at every point with the crank as given.
+void expect_passes(const FourBarSolution& found, const PathTask& task) {
+  const FourBar& bars = found.four_bar;
+  const LinkLengths lengths = bars.lengths();
+  const Point arm = (found.path->point - bars.input_moving) / (bars.output_moving - bars.input_moving);
+  for (const PathPoint& there : task.points) {
+    const Point a = bars.input_fixed + direction(*there.input - *task.points[0].input) *
+                                           (bars.input_moving - bars.input_fixed);
+    const Point b = a + (there.point - a) / arm;
+    const double size = lengths.longest() + std::abs(found.path->point - bars.input_moving);
+    EXPECT_NEAR(std::abs(b - a), lengths.coupler, 1e-9 * size);
+    EXPECT_NEAR(std::abs(b - bars.output_fixed), lengths.output, 1e-9 * size);
+  }
+}
+
+TEST(PathAnswer, ListsTheBestOfTheMapEachDriven) {
+  const testing::PathCase c = testing::path_case("film_claw_timed");
+  const PathAnswer answer = solved(c.task, {}, coarse());
+  EXPECT_EQ(answer.status, SolutionStatus::solved);
+  EXPECT_EQ(answer.pattern, "P-P-P-P");
+  EXPECT_EQ(answer.counts.pairs, 60 * 59);
+  ASSERT_EQ(answer.linkages.size(), 10u);
+  EXPECT_TRUE(answer.pairs.empty());
+  EXPECT_EQ(answer.left_out, 0);
+  for (const FourBarSolution& found : answer.linkages) {
+    EXPECT_TRUE(found.verified_by_driving);
+    ASSERT_TRUE(found.path);
+    EXPECT_LT(found.path->position_error, 1e-9 * answer.characteristic_length);
+    EXPECT_LT(found.path->timing_error, 1e-9);
+    EXPECT_FALSE(found.residual_derivatives);
+    expect_passes(found, c.task);
+  }
+  EXPECT_TRUE(std::is_sorted(answer.linkages.begin(), answer.linkages.end(), [](const auto& a, const auto& b) {
+    return a.report.min_transmission_angle > b.report.min_transmission_angle;
+  }));
+}
+
+// Of two cognates the smaller is listed, and not the other.
+TEST(PathAnswer, ListsOneOfTwoCognates) {
+  const PathAnswer answer = solved(testing::path_case("dough_mixer_timed_full_turn").task, {}, coarse());
+  ASSERT_GT(answer.linkages.size(), 5u);
+  for (const FourBarSolution& found : answer.linkages) {
+    EXPECT_GE(found.path->cognate_size, 1);
+    for (const FourBarSolution& other : answer.linkages)
+      EXPECT_GT(std::abs(other.four_bar.input_fixed - found.path->cognate.input_fixed), 1e-3)
+          << "the cognate of one is another";
+  }
+}
+
+// Where the smaller does not keep a window the larger is there.
+TEST(PathAnswer, ListsTheLargerCognateWhereTheSmallerIsNotAllowed) {
+  const PathTask task = testing::path_case("dough_mixer_timed_full_turn").task;
+  const PathAnswer all = solved(task, {}, coarse());
+  const auto apart = std::find_if(all.linkages.begin(), all.linkages.end(),
+                                  [](const FourBarSolution& f) { return f.path->cognate_size > 1.5; });
+  ASSERT_NE(apart, all.linkages.end());
+  const Point center = apart->path->cognate.input_fixed;
+  const double around = 0.05 * apart->path->cognate.lengths().longest();
+  Requirements wanted;
+  wanted.max_length = Requirements::unlimited;
+  wanted.max_link_ratio = Requirements::unlimited;
+  const Point output = apart->path->cognate.output_fixed;
+  wanted.ground_pivots_within = Box{std::min(center.real(), output.real()) - around,
+                                    std::max(center.real(), output.real()) + around,
+                                    std::min(center.imag(), output.imag()) - around,
+                                    std::max(center.imag(), output.imag()) + around};
+  const PathAnswer inside = solved(task, wanted, coarse());
+  ASSERT_FALSE(inside.linkages.empty());
+  const bool any_larger = std::any_of(inside.linkages.begin(), inside.linkages.end(),
+                                      [](const FourBarSolution& f) { return f.path->cognate_size < 1; });
+  EXPECT_TRUE(any_larger);
+}
+
+TEST(PathAnswer, AFullTurnIsARequirement) {
+  const PathTask task = testing::path_case("film_claw_timed").task;
+  const PathAnswer any = solved(task, {}, coarse());
+  Requirements wanted;
+  wanted.full_turn = true;
+  const PathAnswer turning = solved(task, wanted, coarse());
+  EXPECT_LT(turning.meeting_requirements, any.meeting_requirements);
+  EXPECT_GT(turning.meeting_requirements, 0);
+  EXPECT_EQ(turning.counts.defect_free, any.counts.defect_free) << "counts do not depend on requirements";
+  for (const FourBarSolution& found : turning.linkages) {
+    EXPECT_TRUE(found.path->full_turn);
+    EXPECT_TRUE(input_is_crank(found.report.type));
+  }
+  wanted.types = {LinkageType::double_rocker};
+  const PathAnswer none = solved(task, wanted, coarse());
+  EXPECT_EQ(none.meeting_requirements, 0);
+  EXPECT_TRUE(none.linkages.empty());
+  EXPECT_FALSE(none.reason.message.empty());
+}
+
+TEST(PathAnswer, OfFivePositionsListsAllLinkages) {
+  const testing::PathCase c = testing::path_case("stirrer_timed_five");
+  const PathAnswer answer = solved(c.task);
+  ASSERT_EQ(answer.pairs.size(), 12u);
+  std::set<std::pair<double, double>> places;
+  for (const FourBarSolution& found : answer.pairs) {
+    places.insert({found.input.coordinate, found.output.coordinate});
+    EXPECT_TRUE(found.verified_by_driving);
+    expect_passes(found, c.task);
+  }
+  EXPECT_EQ(places.size(), 12u);
+  const auto clean = [](const FourBarSolution& f) { return f.report.defects.none(); };
+  EXPECT_EQ(std::count_if(answer.pairs.begin(), answer.pairs.end(), clean), answer.counts.defect_free);
+  std::int64_t wanted = 0;
+  for (const auto& linkage : c.json.at("linkages")) {
+    const auto& defects = linkage.at("defects");
+    wanted += !defects["order"] && !defects["branch"] && !defects["circuit"];
+  }
+  EXPECT_EQ(answer.counts.defect_free, wanted);
+  EXPECT_FALSE(answer.linkages.empty());
+  for (const FourBarSolution& found : answer.linkages) EXPECT_TRUE(clean(found));
+}
+
+TEST(PathAnswer, OfMixedPositionsKeepsTheDerivatives) {
+  const testing::PathCase c = testing::path_case("packaging_feeder_timed_five_mixed");
+  const PathAnswer answer = solved(c.task);
+  EXPECT_EQ(answer.pattern, "PP-P-PP");
+  ASSERT_EQ(answer.pairs.size(), 2u);
+  for (const FourBarSolution& found : answer.pairs) {
+    ASSERT_TRUE(found.residual_derivatives);
+    EXPECT_LT(*found.residual_derivatives, 1e-12);
+    EXPECT_TRUE(found.verified_by_driving);
+  }
+}
+
+TEST(PathAnswer, ListsWhatIsAtAPlace) {
+  const testing::PathCase c = testing::path_case("thread_takeup_timed_mixed");
+  SynthesisOptions options = coarse();
+  const auto& wanted = c.json.at("linkages")[0];
+  options.at = {wanted.at("input_coordinate").get<double>(), wanted.at("output_coordinate").get<double>()};
+  const PathAnswer answer = solved(c.task, {}, options);
+  ASSERT_EQ(answer.linkages.size(), 1u);
+  EXPECT_NEAR(std::abs(answer.linkages[0].four_bar.output_fixed - testing::bars_of(wanted).output_fixed), 0, 1e-7);
+}
+
+TEST(PathAnswer, SaysWhyThereIsNothing) {
+  const auto items = testing::path_case("nasty_timed").json.at("items");
+  const PathAnswer pole = solved(testing::path_task(items[0].at("task")));
+  EXPECT_EQ(pole.status, SolutionStatus::degenerate);
+  EXPECT_EQ(pole.reason.code, "common_pole");
+}
+
+// An error of the point is no error of the coupler's turn.
+TEST(PathAnswer, TolerancesAreOfThePointAlone) {
+  SynthesisOptions options = coarse();
+  options.best = 2;
+  Tolerances& tolerances = options.tolerances.emplace();
+  tolerances.length = LengthTolerances::all(0.02);
+  tolerances.samples = 4000;
+  tolerances.turning_length = 0;
+  const PathTask task = testing::path_case("film_claw_timed").task;
+  const PathAnswer without = solved(task, {}, options);
+  options.tolerances->turning_length = 1000;
+  const PathAnswer with = solved(task, {}, options);
+  ASSERT_EQ(with.tolerance.size(), 2u);
+  ASSERT_TRUE(with.tolerance[0] && without.tolerance[0]);
+  EXPECT_GT(with.tolerance[0]->error, 0);
+  EXPECT_EQ(with.tolerance[0]->error, without.tolerance[0]->error);
+}
+
+}  // namespace
+}  // namespace linkwright::path_answer_test
