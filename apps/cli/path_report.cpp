@@ -47,8 +47,9 @@ std::string path_table(const Problem& problem, const PathAnswer& answer) {
                                          : "another",
                    "× " + significant_text(path.cognate_size, 4), found.report.defects.none() ? off : "–"});
   }
-  return "\nThe point: its arms, the size of the cognate with the same path, and how far driving the crank to the "
-         "angles\ngiven found it off:\n" +
+  return "\n" +
+         wrapped("The point: its arms, the size of the cognate with the same path, and how far driving the crank to "
+                 "the angles given found it off:") +
          table.text();
 }
 

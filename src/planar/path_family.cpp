@@ -88,7 +88,7 @@ bool is_of_cranks(const Notice& notice) { return notice.code != "parallel_poses"
 
 }  // namespace
 
-PathFamily::PathFamily(const PathTask& task, std::shared_ptr<const ProductFamily> cranks)
+PathFamily::PathFamily(const PathTask& task, std::shared_ptr<const FourBarFamily> cranks)
     : FourBarFamily(cranks->frame(), cranks->axis(Side::input), cranks->axis(Side::output)),
       cranks_(std::move(cranks)),
       user_poses_(linkwright::crank_poses(task)),
@@ -185,10 +185,9 @@ TaskFamily task_family(const PathTask& task) {
   std::erase_if(given.warnings, [](const Notice& notice) { return !is_of_cranks(notice); });
   std::transform(given.warnings.begin(), given.warnings.end(), given.warnings.begin(), of_points);
   if (given.has_no_dyads) given.degeneracy = too_few_cranks(given.points.size());
-  auto cranks = std::dynamic_pointer_cast<const ProductFamily>(given.family);
-  if (!cranks) return given;
+  if (!given.family) return given;
   if (auto notice = on_circle(given)) given.warnings.push_back(*std::move(notice));
-  given.paths = std::make_shared<const PathFamily>(task, std::move(cranks));
+  given.paths = std::make_shared<const PathFamily>(task, given.family);
   given.family = given.paths;
   return given;
 }

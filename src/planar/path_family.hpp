@@ -16,8 +16,9 @@ namespace linkwright {
 /// input is named by the task: nothing is driven from the other side.
 class PathFamily : public FourBarFamily {
  public:
-  /// `task` without mistakes; `cranks`: the dyads of its crank_poses().
-  PathFamily(const PathTask& task, std::shared_ptr<const ProductFamily> cranks);
+  /// `task` without mistakes; `cranks`: the dyads of its crank_poses(), each of which depends on its own coordinate
+  /// alone.
+  PathFamily(const PathTask& task, std::shared_ptr<const FourBarFamily> cranks);
 
   [[nodiscard]] const LinkageClass& linkages() const override { return path_linkages; }
   [[nodiscard]] bool has_cognates() const override { return true; }
@@ -50,7 +51,7 @@ class PathFamily : public FourBarFamily {
   void fill(RegionMap& map, std::span<const double> input, std::span<const double> output, bool respect_direction,
             const RegionOptions& options, const Progress& progress) const override;
 
-  std::shared_ptr<const ProductFamily> cranks_;
+  std::shared_ptr<const FourBarFamily> cranks_;
   std::vector<PrescribedPose> user_poses_, working_poses_;  ///< of the body that turns with the crank
   std::vector<HomogeneousMatrix> derivative_rows_;
 };

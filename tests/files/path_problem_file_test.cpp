@@ -12,6 +12,7 @@
 #include "linkwright/synthesis/solve.hpp"
 #include "support/draws.hpp"
 #include "support/path_case.hpp"
+#include "support/random_task.hpp"
 
 namespace linkwright::path_problem_file_test {
 namespace {

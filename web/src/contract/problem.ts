@@ -310,8 +310,30 @@ export type StraightLineTask = {
   stroke: number;
   deviation: number;
 });
+/** x and y in the user's length, input in radians of the crank, per power of the parameter. */
+export interface PathDerivative {
+  x: number;
+  y: number;
+  /** Left out: the parameter is the turn of the crank in the sense in which it passes the points. */
+  input?: number;
+}
+/** A place that the point of the coupler is to pass, fixed frame. */
+export interface PathPoint {
+  x: number;
+  y: number;
+  /** Angle of the crank there, counter-clockwise, from any datum. */
+  input_deg?: number;
+  /** First, second, … derivatives by any parameter that increases along the task: the direction of travel through the point, then its curvature, …. */
+  derivatives?: readonly PathDerivative[];
+}
+/** Path generation: a point of the coupler passes four or five places at given angles of the crank, in this order. A point counts as one position, and as one more for each of its derivatives. */
+export interface PathTask {
+  kind: "path";
+  mechanism: "four_bar";
+  points: readonly PathPoint[];
+}
 /** What the linkage is for. */
-export type Task = MotionTask | FunctionTask | SixBarTask | SphericalMotionTask | SphericalFunctionTask | StraightLineTask;
+export type Task = MotionTask | FunctionTask | SixBarTask | SphericalMotionTask | SphericalFunctionTask | StraightLineTask | PathTask;
 export interface Box {
   x: readonly [number, number];
   y: readonly [number, number];
@@ -352,6 +374,8 @@ export interface Requirements {
   min_stroke?: number | null;
   /** Straight lines: largest deviation over the stroke, or over the usable length where no stroke is asked for. */
   max_deviation?: number | null;
+  /** Paths: the crank turns fully, so that the path is closed. */
+  full_turn?: boolean;
   /** Largest error by tolerances, in their unit: the user's length; of functions and spherical linkages degrees. Needs tolerances; off where it is not given. */
   max_tolerance_error?: number | null;
   /** Least share of sampled linkages that assemble and keep the limit in all positions. Needs tolerances with a limit; off where it is not given. */

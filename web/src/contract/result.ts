@@ -15,17 +15,21 @@ export interface ResultFile {
   characteristic_length: number;
   /** What to know before trusting or using the answer, in words with the way out. Among the codes: ill_conditioned; parallel_poses; near_common_pole (a hinge does the task but for a miss that is told); side_links_left_out (rounding keeps them from holding their lengths); linkages_left_out (driving did not confirm them); stretch_between_samples (the map does not show it, arc_length does). */
   warnings: readonly Notice[];
-  /** Of the grounded links; of function tasks, of the couplers in position 1: circle points on the input link, centre points on the output link. Null where the grounded links form no curve: three positions with lengths or an angle, five positions. */
+  /** Of the grounded links; of function tasks, of the couplers in position 1: circle points on the input link, centre points on the output link; of paths, of the cranks as dyads of a body that turns with them and whose origin is at the points. Null where the grounded links form no curve: three positions with lengths or an angle, five positions. */
   curve: Curve | AxisCurve | null;
-  /** Five positions: all real ones; three orientations with given axes: the two; otherwise none. */
+  /** Five positions: all real ones; of paths the cranks, as in "curve"; three orientations with given axes: the two; otherwise none. */
   dyads: readonly BurmesterPoint[] | readonly SphericalDyadPoint[];
+  /** Paths: at which points the angle of the crank is given. */
+  timing?: string;
+  /** Paths of five positions: all cranks that there are. */
+  cranks?: readonly Crank[];
   /** Null where six-bars are searched for without a chain, and of straight lines where no number is left open. */
   region: Region | null;
   pareto?: Pareto;
   search?: Search;
   /** Best first; with "at" in the options what is at that place of the region and nothing else. */
   linkages: readonly FourBar[] | readonly SixBar[] | readonly SphericalFourBar[] | readonly StraightLineFourBar[];
-  /** Five positions: every two dyads as a four-bar with the better driver, whatever its defects; five precision points: every linkage; otherwise none. Best first. */
+  /** Five positions: every two dyads as a four-bar with the better driver, whatever its defects; five precision points, or five positions of a path: every linkage; otherwise none. Best first. */
   pairs: readonly FourBar[] | readonly SphericalFourBar[];
   /** Five positions that no linkage passes as required: what freeing one of them comes to, nearest first. */
   freed: readonly WayOut[] | readonly SphericalWayOut[];
@@ -94,6 +98,14 @@ export interface SphericalDyadPoint {
   multiplicity: number;
   /** By how much a relative change of the conditions moves the axes. */
   condition: number;
+}
+/** Fixed frame, position 1; null: at infinity. */
+export interface Crank {
+  center_point: readonly [number, number] | null;
+  moving_pivot: readonly [number, number] | null;
+  crank_length: number | null;
+  /** From its moving pivot to the point. */
+  point_arm: number | null;
 }
 export interface MapAxis {
   name: string;
@@ -190,11 +202,15 @@ export interface Dyad {
   circle_homogeneous: readonly [number, number, number];
   residual: number;
 }
-export interface Lengths {
+export interface FourBarLengths {
   ground: number;
   input: number;
   coupler: number;
   output: number;
+  /** Paths: from the point to the input's moving pivot. */
+  point_to_input?: number;
+  /** Paths: from the point to the output's moving pivot. */
+  point_to_output?: number;
 }
 export const linkage_types = ["crank_rocker","rocker_crank","double_crank","double_rocker","triple_rocker_ground","triple_rocker_input","triple_rocker_coupler","triple_rocker_output","change_point","degenerate","triple_rocker"] as const;
 export type LinkageType = (typeof linkage_types)[number];
@@ -218,7 +234,18 @@ export interface Miss {
   angle_deg: number;
   combined: number;
 }
-export const requirement_keys = ["types","no_defects","min_transmission_angle_deg","max_link_ratio","max_length","min_length","ground_pivots_within","moving_pivots_within","min_link_angle_deg","max_link_angle_deg","fixed_axes_within","moving_axes_within","min_stroke","max_deviation","max_tolerance_error","min_yield"] as const;
+export interface CognateLink {
+  center_point: readonly [number, number] | null;
+  circle_point: readonly [number, number] | null;
+}
+/** The other four-bar with the same path and timing; fixed frame, position 1. null: at infinity. */
+export interface TimedCognate {
+  input: CognateLink;
+  output: CognateLink;
+  /** Its crank over this one. */
+  size_ratio: number;
+}
+export const requirement_keys = ["types","no_defects","min_transmission_angle_deg","max_link_ratio","max_length","min_length","ground_pivots_within","moving_pivots_within","min_link_angle_deg","max_link_angle_deg","fixed_axes_within","moving_axes_within","min_stroke","max_deviation","full_turn","max_tolerance_error","min_yield"] as const;
 export type RequirementKey = (typeof requirement_keys)[number];
 export interface Sensitivity {
   parameter: string;
@@ -272,7 +299,7 @@ export interface FourBar {
   mechanism: "four_bar";
   input: Dyad;
   output: Dyad;
-  lengths: Lengths;
+  lengths: FourBarLengths;
   link_ratio: number;
   type: LinkageType;
   defects: Defects;
@@ -301,8 +328,24 @@ export interface FourBar {
   error_curve?: ErrorCurve;
   /** Tasks with a freed position. */
   miss?: Miss;
+  /** Paths: the point of the coupler in position 1. */
+  point?: readonly [number, number];
+  /** Paths: turns of the crank from position 1, as given. */
+  input_deg_at_points?: readonly number[];
+  /** Paths: turns of the coupler from position 1, in (-180, 180]. */
+  theta_deg_at_points?: readonly number[];
+  /** Paths. */
+  cognate?: TimedCognate;
+  /** Paths: the crank turns fully, so that the path is closed. */
+  full_turn?: boolean;
+  /** Paths: along the circuit of the linkage, either way round, the points come as they are listed; null where they lie on different circuits. */
+  circuit_order?: boolean | null;
+  /** Paths, free of defects: by driving, the largest distance of the point from where it is to be with the crank as given. */
+  position_error?: number;
+  /** Paths, free of defects: by driving, the largest turn of the crank from there to where the point is nearest. */
+  timing_error_deg?: number;
   local_optimum: boolean;
-  /** Driven through the task it has the defects told; of functions, free of defects, it also stood right at each pair. */
+  /** Driven through the task it has the defects told; of functions, free of defects, it also stood right at each pair, of paths the point at each point. */
   verified_by_driving: boolean;
   /** Of a linkage at a picked place (options.at). */
   meets_requirements?: boolean;
@@ -314,7 +357,7 @@ export interface FourBar {
   reason?: string;
   /** Functions with a free number: the value that this linkage has. */
   free_value?: number;
-  /** Of the coupler, as in problem files, where they are not the task's: of functions (origin in the input's moving pivot, angle 0 at the first pair), and of five positions with one freed. */
+  /** Of the coupler, as in problem files, where they are not the task's: of functions (origin in the input's moving pivot, angle 0 at the first pair), of paths (origin in the point, angle 0 in position 1), and of five positions with one freed. */
   poses?: readonly Pose[];
   /** The same bars driven from the other grounded link. */
   swapped: Swapped;
