@@ -71,26 +71,24 @@ TEST(PathAnswer, ListsOneOfTwoCognates) {
 
 // Where the smaller does not keep a window the larger is there.
 TEST(PathAnswer, ListsTheLargerCognateWhereTheSmallerIsNotAllowed) {
-  const PathTask task = testing::path_case("dough_mixer_timed_full_turn").task;
-  const PathAnswer all = solved(task, {}, coarse());
-  const auto apart = std::find_if(all.linkages.begin(), all.linkages.end(),
-                                  [](const FourBarSolution& f) { return f.path->cognate_size > 1.5; });
-  ASSERT_NE(apart, all.linkages.end());
-  const Point center = apart->path->cognate.input_fixed;
-  const double around = 0.05 * apart->path->cognate.lengths().longest();
+  const PathTask task = testing::path_case("film_claw_timed").task;
   Requirements wanted;
-  wanted.max_length = Requirements::unlimited;
-  wanted.max_link_ratio = Requirements::unlimited;
-  const Point output = apart->path->cognate.output_fixed;
-  wanted.ground_pivots_within = Box{std::min(center.real(), output.real()) - around,
-                                    std::max(center.real(), output.real()) + around,
-                                    std::min(center.imag(), output.imag()) - around,
-                                    std::max(center.imag(), output.imag()) + around};
+  wanted.full_turn = true;
+  const PathAnswer all = solved(task, wanted, coarse());
+  const auto size = [](const FourBarSolution& found) { return found.path->cognate_size; };
+  const auto apart = std::max_element(all.linkages.begin(), all.linkages.end(),
+                                      [&](const auto& a, const auto& b) { return size(a) < size(b); });
+  ASSERT_NE(apart, all.linkages.end());
+  ASSERT_GT(size(*apart), 1.1);
+  const FourBar& larger = apart->path->cognate;
+  const double around = 0.02 * larger.lengths().ground;
+  const auto [x, y] = std::pair(std::minmax({larger.input_fixed.real(), larger.output_fixed.real()}),
+                                std::minmax({larger.input_fixed.imag(), larger.output_fixed.imag()}));
+  wanted.ground_pivots_within = Box{x.first - around, x.second + around, y.first - around, y.second + around};
   const PathAnswer inside = solved(task, wanted, coarse());
   ASSERT_FALSE(inside.linkages.empty());
-  const bool any_larger = std::any_of(inside.linkages.begin(), inside.linkages.end(),
-                                      [](const FourBarSolution& f) { return f.path->cognate_size < 1; });
-  EXPECT_TRUE(any_larger);
+  EXPECT_TRUE(std::any_of(inside.linkages.begin(), inside.linkages.end(),
+                          [&](const FourBarSolution& found) { return size(found) < 1; }));
 }
 
 TEST(PathAnswer, AFullTurnIsARequirement) {
