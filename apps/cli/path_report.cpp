@@ -48,8 +48,9 @@ std::string path_table(const Problem& problem, const PathAnswer& answer) {
                    "× " + significant_text(path.cognate_size, 4), found.report.defects.none() ? off : "–"});
   }
   return "\n" +
-         wrapped("The point: its arms, the size of the cognate with the same path, and how far driving the crank to "
-                 "the angles given found it off:") +
+         wrapped(
+             "The point: its arms, the size of the cognate with the same path, and how far driving the crank to "
+             "the angles given found it off:") +
          table.text();
 }
 

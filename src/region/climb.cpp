@@ -1,6 +1,7 @@
 #include "region/climb.hpp"
 
 #include <algorithm>
+#include <cmath>
 
 #include "improved_linkage.hpp"
 #include "region/ordered_axes.hpp"
@@ -40,12 +41,23 @@ std::optional<Candidate> Evaluator::judged(const Cell& cell) const {
   return score ? std::optional(Candidate{cell, *score}) : std::nullopt;
 }
 
+namespace {
+
+// What cognates have in common comes out of other numbers.
+bool are_equal_scores(double a, double b) {
+  constexpr double rounding = 1e-9;
+  return std::abs(a - b) <= rounding * std::max(std::abs(a), std::abs(b));
+}
+
+}  // namespace
+
 Candidate Evaluator::from_better_side(const Candidate& here) const {
   if (!family_.is_symmetric() && !family_.has_cognates()) return here;
   auto there = candidate({here.cell.place.output, here.cell.place.input});
   if (!there) return here;
   there->local_optimum = here.local_optimum;
-  if (family_.has_cognates()) return size(here) <= size(*there) ? here : *there;
+  if (family_.has_cognates() && are_equal_scores(here.score, there->score))
+    return size(here) <= size(*there) ? here : *there;
   const bool is_free = here.cell.defects.none(), is_other_free = there->cell.defects.none();
   if (is_free != is_other_free) return is_free ? here : *there;
   if (here.score != there->score) return here.score > there->score ? here : *there;

@@ -37,8 +37,8 @@ class Evaluator {
   [[nodiscard]] std::optional<Candidate> candidate(MapPoint place) const { return candidates()(place); }
 
   /// The same bars driven from the better side that meets the requirements: no defects, score, transmission angle,
-  /// smaller coordinate; as they are where the family names the input. Of cognates the smaller that meets the
-  /// requirements.
+  /// smaller coordinate; as they are where the family names the input. Of cognates the better that meets the
+  /// requirements, the smaller where they score alike.
   [[nodiscard]] Candidate from_better_side(const Candidate& here) const;
 
   /// Between two designs, and what that is measured by: the longest link, on the unit sphere 1.

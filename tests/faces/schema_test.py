@@ -32,14 +32,18 @@ BEYOND_SCHEMA = {"repeated_pose", "repeated_pose_a_turn_later", "transmission_an
                  "line_option_objective_link_ratio", "line_requirement_no_defects", "line_requirement_min_length",
                  "line_requirement_of_the_sphere", "line_requirement_type_of_the_sphere", "line_options_of_lines_in_a_motion",
                  "line_objective_of_lines_in_a_motion", "line_requirement_of_lines_in_a_motion",
-                 "line_deviation_of_lines_in_a_motion", "line_measure_of_lines_in_a_motion"}
+                 "line_deviation_of_lines_in_a_motion", "line_measure_of_lines_in_a_motion",
+                 "path_equal_angles", "path_equal_angles_a_turn_apart", "path_closed_by_its_first_point", "path_repeated_point",
+                 "path_of_more_than_a_turn", "path_that_turns_back", "path_crank_against_its_sense",
+                 "path_requirement_of_a_motion"}
 
 # Words of refusals that no schema can give: what is wrong is no matter of structure.
 BEYOND_STRUCTURE = ("same", "above the upper", "max_length", "at infinity", "in which the body moves", "the lower number first",
                     "does not change", "no value", "precision points", "lies outside of", "whole turn", "low below high",
                     "at one place", "sort them", "is empty", "cannot reach", "on one line", "coincide", "the elbow is",
                     "are given and four or five are needed", "add up to", "by rising s", "a tenth of the stroke",
-                    "lies on the line", "is where the coupler point is", "above the largest", "keep x within", "are the most that")
+                    "lies on the line", "is where the coupler point is", "above the largest", "keep x within", "are the most that",
+                    "turn back after", "against the sense")
 
 
 def validator(name):
@@ -235,6 +239,24 @@ class Schemas(FaceTest):
                  {"euler_deg": [40, 50, 20], "sequence": "zyx"}]
         self.check_changes_of({"linkwright": 1, "task": {"kind": "motion", "mechanism": "spherical_four_bar", "orientations": turns}},
                               below=("task",))
+
+    def test_results_of_paths_are_results(self):
+        for path in sorted((ROOT / "data/path").glob("*.json")):
+            case = load(path)
+            for task in [item["task"] for item in case["items"] if "status" in item["expect"]] if "items" in case else [case["task"]]:
+                problem = {"linkwright": 1, "task": task, "requirements": {"no_defects": False, "full_turn": True}}
+                with self.subTest(path.stem, task=task):
+                    status, output, _ = run("solve", self.write("problem.json", problem), "--samples", 30, "-o", "-", "--region")
+                    if status == 2:
+                        continue  # a crank that turns back
+                    self.problem.validate(problem)
+                    result = json.loads(output)
+                    self.result.validate(result)
+                    self.problem.validate(result["problem"])
+
+    def test_of_paths_too(self):
+        task = load(ROOT / "data/path/thread_takeup_timed_mixed.json")["task"]
+        self.check_changes_of({"linkwright": 1, "task": task}, below=("task", "points"))
 
     def test_of_straight_lines_too(self):
         for name in ("four_point_pivots", "mixed", "symmetric_lambda_of_a_range"):

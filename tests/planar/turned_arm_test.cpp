@@ -24,9 +24,9 @@ TEST(TurnedArm, HasTheDerivativesOfTheTurn) {
   EXPECT_NEAR(std::abs(arm[0] - arm_at(0)), 0, 1e-15);
   EXPECT_NEAR(std::abs(arm[1] - (arm_at(h) - arm_at(-h)) / (2 * h)), 0, 1e-5);
   EXPECT_NEAR(std::abs(arm[2] - (arm_at(h) - 2.0 * arm_at(0) + arm_at(-h)) / (h * h)), 0, 1e-5);
-  EXPECT_NEAR(std::abs(arm[3] - (arm_at(2 * h) - 2.0 * arm_at(h) + 2.0 * arm_at(-h) - arm_at(-2 * h)) /
-                                    (2 * h * h * h)),
-              0, 1e-4);
+  EXPECT_NEAR(
+      std::abs(arm[3] - (arm_at(2 * h) - 2.0 * arm_at(h) + 2.0 * arm_at(-h) - arm_at(-2 * h)) / (2 * h * h * h)), 0,
+      1e-4);
 }
 
 TEST(TurnedArm, GivesItsRatesBack) {

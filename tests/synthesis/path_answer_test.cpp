@@ -26,8 +26,8 @@ void expect_passes(const FourBarSolution& found, const PathTask& task) {
   const LinkLengths lengths = bars.lengths();
   const Point arm = (found.path->point - bars.input_moving) / (bars.output_moving - bars.input_moving);
   for (const PathPoint& there : task.points) {
-    const Point a = bars.input_fixed + direction(*there.input - *task.points[0].input) *
-                                           (bars.input_moving - bars.input_fixed);
+    const Point a =
+        bars.input_fixed + direction(*there.input - *task.points[0].input) * (bars.input_moving - bars.input_fixed);
     const Point b = a + (there.point - a) / arm;
     const double size = lengths.longest() + std::abs(found.path->point - bars.input_moving);
     EXPECT_NEAR(std::abs(b - a), lengths.coupler, 1e-9 * size);
