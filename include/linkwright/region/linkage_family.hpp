@@ -87,8 +87,8 @@ class LinkageFamily {
   /// Both axes carry the same grounded links: (u, v) and (v, u) are the same bars, driven from the other side.
   [[nodiscard]] virtual bool is_symmetric() const { return false; }
 
-  /// (u, v) and (v, u) are cognates: other bars that do the same, and all that is measured of them but their size is
-  /// the same. Lists then have the smaller of the two.
+  /// (u, v) and (v, u) are cognates: other bars that do the same, alike in all that the family measures but their size.
+  /// Lists have one of the two, the better or, where both score alike, the smaller.
   [[nodiscard]] virtual bool has_cognates() const { return false; }
 
   /// The side whose coordinate takes longer to change: a search over both changes it the less often.
