@@ -23,27 +23,40 @@ std::vector<PrescribedPose> turns_of(std::span<const PrescribedPose> crank_poses
   return turns;
 }
 
-// Linkages of a crank, each laid with the driver of its virtual loop from 0 to 1 in the first position: the difference
-// of the cognate's circle point and the crank's turns with the crank, and stands for it in every cell.
-void lay_loops(DyadAxis& loops, const DyadAxis& cognates, Point center, Point circle) {
-  const std::size_t positions = cognates.pose_count();
-  for (std::size_t k = 0; k < cognates.size(); ++k) {
-    const double x = cognates.circle_x[k] - circle.real(), y = cognates.circle_y[k] - circle.imag();
-    const double square = x * x + y * y;
-    const bool is_whole = square > 0 && cognates.length[k] > 0;
-    const double across = is_whole ? x / square : 0, up = is_whole ? -y / square : 0;
-    const auto turned_x = [&](double p, double q) { return p * across - q * up; };
-    const auto turned_y = [&](double p, double q) { return p * up + q * across; };
-    const double frame_x = cognates.center_x[k] - center.real(), frame_y = cognates.center_y[k] - center.imag();
-    loops.center_x[k] = turned_x(frame_x, frame_y);
-    loops.center_y[k] = turned_y(frame_x, frame_y);
-    for (std::size_t j = 0; j < positions; ++j) {
-      loops.arm_x[j][k] = turned_x(cognates.arm_x[j][k], cognates.arm_y[j][k]);
-      loops.arm_y[j][k] = turned_y(cognates.arm_x[j][k], cognates.arm_y[j][k]);
+// Each of a row of vectors times its number.
+struct Numbers {
+  std::vector<double> real, imag;
+
+  void multiply(std::vector<double>& x, std::vector<double>& y) const {
+    for (std::size_t k = 0; k < real.size(); ++k) {
+      const double turned = x[k] * real[k] - y[k] * imag[k];
+      y[k] = x[k] * imag[k] + y[k] * real[k];
+      x[k] = turned;
     }
+  }
+};
+
+// Linkages of a crank, each laid with the driver of its virtual loop from 0 to 1 in the first position: the difference
+// of the cognate's circle point and the crank's turns with the crank, and stands for it in every cell. `loops`: the
+// cognates as they are.
+void lay_loops(DyadAxis& loops, Point center, Point circle) {
+  const std::size_t count = loops.size();
+  Numbers inverse{std::vector<double>(count, 0), std::vector<double>(count, 0)};
+  for (std::size_t k = 0; k < count; ++k) {
+    const double x = loops.circle_x[k] - circle.real(), y = loops.circle_y[k] - circle.imag();
+    const double square = x * x + y * y;
+    const bool is_whole = square > 0 && loops.length[k] > 0;
+    inverse.real[k] = is_whole ? x / square : 0;
+    inverse.imag[k] = is_whole ? -y / square : 0;
+    loops.length[k] = is_whole ? loops.length[k] / std::sqrt(square) : 0;
+    loops.center_x[k] -= center.real();
+    loops.center_y[k] -= center.imag();
+  }
+  inverse.multiply(loops.center_x, loops.center_y);
+  for (std::size_t j = 0; j < loops.pose_count(); ++j) inverse.multiply(loops.arm_x[j], loops.arm_y[j]);
+  for (std::size_t k = 0; k < count; ++k) {
     loops.circle_x[k] = loops.center_x[k] + loops.arm_x[0][k];
     loops.circle_y[k] = loops.center_y[k] + loops.arm_y[0][k];
-    loops.length[k] = cognates.length[k] * std::hypot(across, up);
   }
 }
 
@@ -161,7 +174,7 @@ FourBarRow PathFamily::row_at(const Dyad& crank, const DyadAxis& cognates, bool 
     std::fill(row.output.length.begin(), row.output.length.end(), 0);  // degenerate
     return row;
   }
-  lay_loops(row.output, cognates, *center, *circle);
+  lay_loops(row.output, *center, *circle);
   // The driver of each loop has length 1, and the crank that it stands for is as long as this.
   std::fill(row.enlarge.begin(), row.enlarge.end(), static_cast<float>(std::abs(*circle)));
   return row;
