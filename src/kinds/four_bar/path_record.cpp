@@ -88,7 +88,7 @@ void lengths_field(FieldVisitor& v, const FourBarSolution& found) {
 }
 
 void path_fields(FieldVisitor& v, const FourBarSolution& found) {
-  const bool is = found.path.has_value(), is_clean = is && found.report.defects.none();
+  const bool is = found.path.has_value(), was_driven = is && found.verified_by_driving && found.report.defects.none();
   const TimedPath none;
   const TimedPath& path = is ? *found.path : none;
   v.shown_if_any(Field("point", "Paths: the point of the coupler in position 1."), forms::where(is, path.point),
@@ -110,11 +110,11 @@ void path_fields(FieldVisitor& v, const FourBarSolution& found) {
   v.shown_if_any(Field("position_error",
                        "Paths, free of defects: by driving, the largest distance of the point from where it is to be "
                        "with the crank as given."),
-                 forms::where(is_clean, path.position_error), forms::not_negative);
+                 forms::where(was_driven, path.position_error), forms::not_negative);
   v.shown_if_any(Field("timing_error_deg",
                        "Paths, free of defects: by driving, the largest turn of the crank from there to where the "
                        "point is nearest."),
-                 forms::where(is_clean, degrees(path.timing_error)), forms::not_negative);
+                 forms::where(was_driven, degrees(path.timing_error)), forms::not_negative);
 }
 
 void visit_cranks(FieldVisitor& v, const PathAnswer& answer) {

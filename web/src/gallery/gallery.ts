@@ -5,6 +5,7 @@ import antenna_pointing from "../../../examples/antenna_pointing.json?raw";
 import corner_drawer from "../../../examples/corner_drawer.json?raw";
 import dump_bucket from "../../../examples/dump_bucket.json?raw";
 import drawer_hinge from "../../../examples/drawer_hinge.json?raw";
+import film_claw from "../../../examples/film_claw.json?raw";
 import flow_meter_as_made from "../../../examples/flow_meter_as_made.json?raw";
 import folding_table from "../../../examples/folding_table.json?raw";
 import folding_wing from "../../../examples/folding_wing.json?raw";
@@ -55,6 +56,7 @@ const files = {
   corner_drawer,
   nose_gear,
   transfer_arm,
+  film_claw,
   sine_generator,
   log_generator,
   flow_meter_as_made,

@@ -27,6 +27,8 @@ export const body_making: Making = {lengths: body, error: "length", limits: ["po
 /** Of which the output's angle counts. */
 export const angle_making: Making = {lengths: links, error: "angle", limits: ["angle_deg"]};
 export const arc_making: Making = {lengths: null, error: "angle", limits: ["angle_deg"]};
+/** Of which a point of the coupler counts. */
+export const path_making: Making = {lengths: body, error: "length", limits: ["position"]};
 export const line_making: Making = {lengths: body, error: "length", limits: ["deviation"]};
 export const chain_making: Making = {
   lengths: {

@@ -2,7 +2,7 @@ import type {Component} from "svelte";
 import {four_bar} from "../../figure/four_bar";
 import type {Mechanism} from "../../figure/mechanism";
 import {six_bar} from "../six_bar/figure";
-import {with_point} from "../straight_line/figure";
+import {with_point} from "../../figure/tracing";
 import {spherical_four_bar} from "../spherical/figure";
 import SphericalStage from "../spherical/Stage.svelte";
 import type {TaskView} from "../view";

@@ -1,12 +1,13 @@
 // A point of a four-bar's coupler runs along a line.
-import type {Linkage, Point} from "../../contract/messages";
+import type {Point} from "../../contract/messages";
 import {length_levels, type Problem} from "../../state/problem";
 import {is_number, is_object, is_pair, present, read_list, type JsonObject} from "../../state/shape";
 import {significant} from "../../texts/numbers";
 import {t} from "../../texts/texts.svelte";
-import type {NamedJoint, NamedLength, PropertyDescription, RequirementDescription, TaskKind} from "../kind";
+import type {PropertyDescription, RequirementDescription, TaskKind} from "../kind";
 import {planar_objectives, planar_properties, planar_requirements, planar_types} from "../planar";
 import {line_making} from "../../analyses/tolerances/making";
+import {told_with_point} from "../carried";
 import {beside, form_name, form_of, forms, size_of} from "./cases";
 import {pattern_of_contacts} from "./contacts";
 import {case_names, is_straight_line, type Contact, type GivenNumbers, type Line, type StraightLineTask} from "./task";
@@ -162,36 +163,6 @@ function new_problem(task: Omit<StraightLineTask, "kind" | "mechanism">): Proble
   return {...problem, requirements: {min_transmission_angle_deg: 30, max_length: default_max_length(problem)}};
 }
 
-/** Beside those of any four-bar: both arms of the point. */
-function lengths({lengths: links, straight_line: line}: Linkage): NamedLength[] | null {
-  if (!line || !links) return null;
-  return [
-    {key: "ground", name: t("num.ground"), length: links.ground, color: null, term: "fixed_pivot"},
-    {key: "input", name: t("num.input"), length: links.input, color: "input"},
-    {key: "coupler", name: t("num.coupler"), length: links.coupler, color: "body"},
-    {key: "output", name: t("num.output"), length: links.output, color: "output"},
-    {key: "point_to_input", name: t("straight.point_to_input"), length: line.point_to_input, color: "body"},
-    {key: "point_to_output", name: t("straight.point_to_output"), length: line.point_to_output, color: "body"},
-  ];
-}
-function joints({input, output, straight_line: line}: Linkage): NamedJoint[] | null {
-  if (!line || !input.center || !input.circle || !output.center || !output.circle) return null;
-  const joint = (key: string, name: string, at: Point, on_ground: boolean, color: string): NamedJoint => ({
-    key,
-    name,
-    at,
-    on_ground,
-    color,
-  });
-  return [
-    joint("input_center", t("straight.input_fixed"), input.center, true, "input"),
-    joint("input_circle", t("straight.input_moving"), input.circle, false, "input"),
-    joint("output_center", t("straight.output_fixed"), output.center, true, "output"),
-    joint("output_circle", t("straight.output_moving"), output.circle, false, "output"),
-    joint("point", t("straight.point"), line.point, false, "accent"),
-  ];
-}
-
 export const straight_line_kind: TaskKind<StraightLineTask> = {
   name: "task.kind_straight_line",
   is: is_straight_line,
@@ -276,15 +247,7 @@ export const straight_line_kind: TaskKind<StraightLineTask> = {
         }),
     },
   ],
-  kept_pivots: ({input, output, straight_line: line}) => ({
-    input_center: input.center,
-    input_circle: input.circle,
-    output_center: output.center,
-    output_circle: output.circle,
-    ...(line ? {point: line.point} : {}),
-  }),
-  lengths,
-  joints,
+  ...told_with_point(({straight_line: line}) => line ?? null),
   texts: {
     "num.residual": "straight.residual",
     "status.residual": "straight.status_residual",

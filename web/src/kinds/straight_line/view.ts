@@ -1,7 +1,7 @@
 import type {Component} from "svelte";
 import type {TaskView} from "../view";
 import Editor from "./Editor.svelte";
-import {tracing_four_bar} from "./figure";
+import {straight_four_bar} from "./figure";
 import FindsInTheMiddle from "./FindsInTheMiddle.svelte";
 import {line_handles} from "./line_handles";
 import LineLayer from "./LineLayer.svelte";
@@ -12,7 +12,7 @@ import Picture from "./Picture.svelte";
 import {profile, speed} from "./profile";
 
 export const straight_line_view: TaskView = {
-  mechanism: tracing_four_bar,
+  mechanism: straight_four_bar,
   Editor,
   Layer: LineLayer,
   Inset: Magnifier,
