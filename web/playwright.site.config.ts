@@ -5,6 +5,8 @@ import common from "./playwright.config";
 export default defineConfig({
   ...common,
   testDir: "site",
+  // When a browser looks for a new service worker, and drops an old one, is its own affair on a busy machine.
+  retries: 1,
   outputDir: "../build/site-tests/failures",
   projects: [{name: "site"}],
   webServer: undefined,
