@@ -32,7 +32,9 @@ std::string crank_words(const PathAnswer& answer) {
 std::string path_table(const Problem& problem, const PathAnswer& answer) {
   if (answer.linkages.empty()) return "";
   const int decimals = decimals_for(answer.linkages);
-  TextTable table({"#", "arm to input", "arm to output", "<full turn", "<order on circuit", "cognate", "<off by"});
+  const bool is_timed = answer.task.is_timed();
+  TextTable table({"#", "arm to input", "arm to output", "<full turn", "<order on circuit",
+                   is_timed ? "cognate" : "crank turns", "<off by"});
   for (std::size_t i = 0; i < answer.linkages.size(); ++i) {
     const FourBarSolution& found = answer.linkages[i];
     if (!found.path) continue;
@@ -45,12 +47,16 @@ std::string path_table(const Problem& problem, const PathAnswer& answer) {
                    !path.circuit_order   ? "–"
                    : *path.circuit_order ? "as listed"
                                          : "another",
-                   "× " + significant_text(path.cognate_size, 4), found.report.defects.none() ? off : "–"});
+                   is_timed ? "× " + significant_text(path.cognate_size, 4)
+                            : rounded_text(degrees(std::abs(path.input.back())), 1) + "°",
+                   found.report.defects.none() ? off : "–"});
   }
   return "\n" +
-         wrapped(
-             "The point: its arms, the size of the cognate with the same path, and how far driving the crank to "
-             "the angles given found it off:") +
+         wrapped(is_timed
+                     ? "The point: its arms, the size of the cognate with the same path, and how far driving the crank "
+                       "to the angles given found it off:"
+                     : "The point: its arms, how far the crank turns from the first point to the last, and how far "
+                       "driving it there found the point off:") +
          table.text();
 }
 

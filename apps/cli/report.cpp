@@ -250,8 +250,21 @@ std::string free_words(const MotionAnswer& answer) {
 
 std::string free_words(const FunctionAnswer& answer) { return function_free_words(answer.family(), answer.task); }
 
+std::string arm_free_words(const PathTask& task) {
+  const bool is_crank = task.pivots.input.has_value();
+  const std::string_view link = is_crank ? "crank" : "output link";
+  const std::size_t patterns = std::size_t{1} << task.points.size();
+  return fmt::format(
+      "2 parameters are free, the axes of the solution region: the lengths of the {0} and of the arm from "
+      "it to the point. At each place the elbow of both can stand in {1} ways{2}; a cell shows the best "
+      "linkage of its place.",
+      link, patterns, task.pivots.count() == 2 ? ", with one linkage to each" : ", with one or three linkages to each");
+}
+
 std::string free_words(const PathAnswer& answer) {
-  if (!answer.family() || !answer.given.curve) return "";
+  if (!answer.family()) return "";
+  if (!answer.task.is_timed()) return wrapped(arm_free_words(answer.task));
+  if (!answer.given.curve) return "";
   return wrapped(
       "2 parameters are free, the axes of the solution region: the positions of the crank and of its "
       "cognate's crank on their curve.");

@@ -4,7 +4,9 @@
 #include "kinds/four_bar/four_bar_record.hpp"
 #include "kinds/spherical/spherical_record.hpp"
 #include "linkwright/core/angle.hpp"
+#include "linkwright/region/cell_judge.hpp"
 #include "planar/function_family.hpp"
+#include "planar/path_family.hpp"
 #include "replies.hpp"
 #include "reply_fields.hpp"
 #include "spherical/spherical_function_family.hpp"
@@ -64,7 +66,17 @@ LinkageMore more_at(const FunctionAnswer& answer, MapPoint place) {
   add_generated(more, answer, place);
   return more;
 }
-LinkageMore more_at(const PathAnswer& /*answer*/, MapPoint /*place*/) { return {}; }
+LinkageMore more_at(const PathAnswer& answer, MapPoint place) {
+  LinkageMore more;
+  const PathFamily& family = *answer.given.paths;
+  if (family.axis(Side::input).layers == 0) return more;
+  const MapPoint on_map{family.axis(Side::input).onto(place.input), place.output};
+  const CellJudge judge(answer.requirements, path_linkages, family.measures());
+  more.layers.emplace();
+  for (const Cell& cell : family.all_at(on_map, answer.requirements.respect_direction))
+    more.layers->push_back({cell.place, family.elbows_at(cell.place), cell.type, judge.passes(cell)});
+  return more;
+}
 // The links besides, whose axes have the senses that the curves have.
 LinkageMore more_at(const SphericalAnswer& answer, MapPoint place) {
   LinkageMore more = more_of(answer.linkages.front().angles);

@@ -114,6 +114,8 @@ void more_fields(FieldVisitor& v, const LinkageMore& of) {
       Field("profile", "Of the path beside the line: way along it, deviation, ds/dφ (null: unbounded), driver angle."),
       of.profile, forms::on_a_line, four);
   v.shown_if_any(Field("rates", "Of a linkage that is the task."), of.rates);
+  v.shown_if_any(Field("layers", "Of paths through points alone: all linkages at this place of the map, best first."),
+                 of.layers, forms::on_lines);
 }
 
 }  // namespace
@@ -133,6 +135,15 @@ void fields(FieldVisitor& v, const PlacedLinkage& of) {
         in.object({.name = "travel"}, [&](FieldVisitor& its) { travel_fields(its, of); });
       });
     });
+  });
+}
+
+void fields(FieldVisitor& v, const LayerReply& of) {
+  v.object({.name = "layer_reply"}, [&](FieldVisitor& to) {
+    place_field(to, of.place);
+    to.shown("elbows", of.elbows);
+    to.shown("type", of.type, forms::linkage_types);
+    to.shown(Field("meets", "All requirements."), of.meets);
   });
 }
 

@@ -80,6 +80,14 @@ struct RatesReply {
   std::vector<std::string> bodies;
   std::vector<std::optional<std::vector<double>>> rows;
 };
+/// One of several linkages at a place of a map.
+struct LayerReply {
+  MapPoint place;  ///< in its layer
+  std::string elbows;
+  LinkageType type = LinkageType::degenerate;
+  bool meets = false;
+};
+void fields(FieldVisitor& v, const LayerReply& of);
 /// What only the page shows of a linkage, by its kind.
 struct LinkageMore {
   /// Grounded links, where they make no linkage, too: as `dyad` or `spherical_dyad` of result files.
@@ -93,6 +101,7 @@ struct LinkageMore {
   std::optional<double> strip_middle{};
   std::optional<std::vector<std::array<std::optional<double>, 4>>> profile{};
   std::optional<RatesReply> rates{};
+  std::optional<std::vector<LayerReply>> layers{};
 };
 /// A linkage at a place: the object of the result file (empty for none), what else the page shows, and its drive
 /// without the states.

@@ -81,7 +81,7 @@ void dyads_field(FieldVisitor& v, const Answer& answer) {
 void path_fields(FieldVisitor& v, const Answer& answer) {
   const auto* path = held<PathAnswer>(answer);
   v.shown_if_any(Field("timing", "Paths: at which points the angle of the crank is given."),
-                 path ? std::optional(std::string("all")) : std::nullopt);
+                 path ? std::optional(std::string(path->task.is_timed() ? "all" : "none")) : std::nullopt);
   const Field cranks("cranks", "Paths of five positions: all cranks that there are.");
   v.member(cranks.written(path && !path->given.points.empty()), false, [&](FieldVisitor& to) {
     const PathAnswer none;

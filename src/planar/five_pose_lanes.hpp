@@ -317,26 +317,37 @@ LINKWRIGHT_INLINE Vector3<Real> point_of(Real w_x, Real w_y, Real z_x, Real z_y)
   return {w_x * w_x + w_y * w_y, z_x * w_x + z_y * w_y, z_y * w_x - z_x * w_y};
 }
 
+/// The pair of points that seven numbers stand for.
+template <int Width>
+struct PointsOfDyad {
+  Vector3<Real<Width>> circle, center;  ///< unit vectors, w ≥ 0
+  Real<Width> least_square;             ///< of the vectors that they are read from, the shorter one
+};
+
 /// [[w w′, w C̄], [z w′, z C̄]] is the product of the columns (w, z) and (w′, C̄): each row and each column of it names a
 /// point, the longer the better.
 template <int Width>
-LINKWRIGHT_INLINE void put_dyad(const NumberSpace<Width>& space, Vector3<Real<Width>> parameters, Mask real,
-                                FivePoseBlock& block, int place, int at, Certainty<Width>& certainty) {
+LINKWRIGHT_INLINE PointsOfDyad<Width> points_of_dyad(const NumberSpace<Width>& space, Vector3<Real<Width>> parameters) {
   using R = Real<Width>;
   R n[7];
   for (int i = 0; i < 7; ++i) n[i] = dot(space.number[i], parameters);
   const R p_x = root_two * n[0], p_y = root_two * n[1], w = n[6];
   const R far_circle = n[2] * n[2] + n[3] * n[3], far_center = n[4] * n[4] + n[5] * n[5];
   const R finite_center = w * w + far_circle, finite_circle = w * w + far_center;
-  certainty.demand(smaller(larger(finite_center, far_center), larger(finite_circle, far_circle)),
-                   least_margin * least_margin, real);
   const Mask by_center = negated<Width>(less<Width>(finite_center, far_center));
   const Mask by_circle = negated<Width>(less<Width>(finite_circle, far_circle));
   const R factor = with_sign_of<Width>(R{} + 1.0, w);
   const auto circle = select<Width>(by_center, factor * Vector3<R>{w, n[2], n[3]}, point_of<R>(n[4], -n[5], p_x, p_y));
   const auto center = select<Width>(by_circle, factor * Vector3<R>{w, n[4], n[5]}, point_of<R>(n[2], -n[3], p_x, -p_y));
-  store_vector<Width>(normalized<Width>(circle), block.circle[place], at);
-  store_vector<Width>(normalized<Width>(center), block.center[place], at);
+  return {normalized<Width>(circle), normalized<Width>(center),
+          smaller(larger(finite_center, far_center), larger(finite_circle, far_circle))};
+}
+
+/// To one of the places of a block.
+template <int Width, class Block>
+LINKWRIGHT_INLINE void put_dyad(const PointsOfDyad<Width>& dyad, Mask real, Block& block, int place, int at) {
+  store_vector<Width>(dyad.circle, block.circle[place], at);
+  store_vector<Width>(dyad.center, block.center[place], at);
   store<Width>(bytes<Width>(real), block.real[place] + at);
 }
 
@@ -363,7 +374,9 @@ LINKWRIGHT_INLINE void five_poses(FivePoseBlock& block, int at) {
       const auto apart = cross(points[i], points[k]);
       certainty.demand(dot(apart, apart), least_margin * least_margin, real[i] & real[k]);
     }
-    put_dyad<Width>(space, points[i], real[i], block, i, at, certainty);
+    const PointsOfDyad<Width> dyad = points_of_dyad<Width>(space, points[i]);
+    certainty.demand(dyad.least_square, least_margin * least_margin, real[i]);
+    put_dyad<Width>(dyad, real[i], block, i, at);
   }
   store<Width>(bytes<Width>(certainty.sure), block.sure + at);
 }

@@ -1,140 +1,13 @@
 #include "path_family.hpp"
 
-#include <algorithm>
-#include <cmath>
-#include <fmt/format.h>
-#include <utility>
-
-#include "linkwright/core/tolerance.hpp"
-#include "linkwright/planar/path_crank.hpp"
-#include "linkwright/planar/timed_path.hpp"
-#include "region/pair_map.hpp"
-#include "timed_cranks.hpp"
+#include "arm_family.hpp"
+#include "timed_path_family.hpp"
 
 namespace linkwright {
-namespace {
 
-std::vector<PrescribedPose> turns_of(std::span<const PrescribedPose> crank_poses) {
-  std::vector<PrescribedPose> turns;
-  for (const PrescribedPose& there : crank_poses) {
-    turns.push_back({{0, there.pose.angle}, {}});
-    for (const PoseDerivative& d : there.derivatives) turns.back().derivatives.push_back({0, d.angle});
-  }
-  return turns;
-}
-
-// Each of a row of vectors times its number.
-struct Numbers {
-  std::vector<double> real, imag;
-
-  void multiply(std::vector<double>& x, std::vector<double>& y) const {
-    for (std::size_t k = 0; k < real.size(); ++k) {
-      const double turned = x[k] * real[k] - y[k] * imag[k];
-      y[k] = x[k] * imag[k] + y[k] * real[k];
-      x[k] = turned;
-    }
-  }
-};
-
-// Linkages of a crank, each laid with the driver of its virtual loop from 0 to 1 in the first position: the difference
-// of the cognate's circle point and the crank's turns with the crank, and stands for it in every cell. `loops`: the
-// cognates as they are.
-void lay_loops(DyadAxis& loops, Point center, Point circle) {
-  const std::size_t count = loops.size();
-  Numbers inverse{std::vector<double>(count, 0), std::vector<double>(count, 0)};
-  for (std::size_t k = 0; k < count; ++k) {
-    const double x = loops.circle_x[k] - circle.real(), y = loops.circle_y[k] - circle.imag();
-    const double square = x * x + y * y;
-    const bool is_whole = square > 0 && loops.length[k] > 0;
-    inverse.real[k] = is_whole ? x / square : 0;
-    inverse.imag[k] = is_whole ? -y / square : 0;
-    loops.length[k] = is_whole ? loops.length[k] / std::sqrt(square) : 0;
-    loops.center_x[k] -= center.real();
-    loops.center_y[k] -= center.imag();
-  }
-  inverse.multiply(loops.center_x, loops.center_y);
-  for (std::size_t j = 0; j < loops.pose_count(); ++j) inverse.multiply(loops.arm_x[j], loops.arm_y[j]);
-  for (std::size_t k = 0; k < count; ++k) {
-    loops.circle_x[k] = loops.center_x[k] + loops.arm_x[0][k];
-    loops.circle_y[k] = loops.center_y[k] + loops.arm_y[0][k];
-  }
-}
-
-Notice too_few_cranks(std::size_t count) {
-  if (count == 0)
-    return {"no_crank",
-            "No real crank: no four-bar takes a point of its coupler exactly through these five positions at these "
-            "angles. Change an angle a little, or leave one point out.",
-            {}};
-  return {"one_crank",
-          "Only one crank goes with these five positions, and a four-bar needs two, its own and its cognate's. Change "
-          "an angle a little, or leave one point out.",
-          {}};
-}
-
-// Where the first point itself runs on a circle of the crank's body: its centre.
-std::optional<Notice> on_circle(const TaskFamily& given) {
-  if (!given.curve) return std::nullopt;
-  const Homogeneous first = Homogeneous::of(0), center = given.curve->center_of(first);
-  if (given.curve->residual({center, first, 0}) > tolerance::vanishing_coefficient) return std::nullopt;
-  const auto at = finite_point(center);
-  const auto tau = given.curve->coordinate_of(first);
-  if (!at || !tau) return std::nullopt;
-  const Point user = given.frame().to_user(*at);
-  return Notice{"points_on_circle",
-                fmt::format("The points lie on a circle about ({:.6g}, {:.6g}). Among the linkages are those whose "
-                            "output link carries the point round it: column {:.6g} of the solution region.",
-                            user.real(), user.imag(), *tau),
-                {{"x", user.real()}, {"y", user.imag()}, {"coordinate", *tau}}};
-}
-
-// Said of points, where that of poses would mislead.
-Notice of_points(Notice notice) {
-  if (notice.code == "ill_conditioned")
-    notice.message =
-        "The points are so close together that round-off dominates; replace points that lie close together by one "
-        "point with derivatives (direction of travel, curvature).";
-  return notice;
-}
-
-bool is_of_cranks(const Notice& notice) { return notice.code != "parallel_poses"; }
-
-}  // namespace
-
-PathFamily::PathFamily(const PathTask& task, std::shared_ptr<const FourBarFamily> cranks)
-    : FourBarFamily(cranks->frame(), cranks->axis(Side::input), cranks->axis(Side::output)),
-      cranks_(std::move(cranks)),
-      user_poses_(linkwright::crank_poses(task)),
-      working_poses_(frame().to_working(user_poses_)),
-      derivative_rows_(derivative_conditions(user_poses_, frame())) {}
-
-std::optional<double> PathFamily::rate_residual(MapPoint place) const {
-  const auto crank = cranks_->dyad(Side::input, place.input), cognate = cranks_->dyad(Side::output, place.output);
-  if (derivative_rows_.empty() || !crank || !cognate) return std::nullopt;
-  return std::max(residual_of(*crank, derivative_rows_), residual_of(*cognate, derivative_rows_));
-}
-
-std::optional<DyadPair> PathFamily::dyad_pair(MapPoint place) const {
-  const auto crank = cranks_->dyad(Side::input, place.input), cognate = cranks_->dyad(Side::output, place.output);
-  return crank && cognate ? linkage_of_cranks(*crank, *cognate) : std::nullopt;
-}
-
-FourBarFamily::DyadPairsOfCells PathFamily::dyad_pairs_of_cells(std::span<const double> input,
-                                                                std::span<const double> output) const {
-  return [rows = cranks_->dyads(Side::input, input), columns = cranks_->dyads(Side::output, output)](
-             std::size_t row, std::size_t column) { return linkage_of_cranks(rows[row], columns[column]); };
-}
-
-std::optional<Dyad> PathFamily::dyad(Side side, double tau) const {
-  const auto crank = side == Side::input ? cranks_->dyad(side, tau) : std::nullopt;
-  return crank ? std::optional(crank_link(*crank)) : std::nullopt;
-}
-
-std::vector<PrescribedPose> PathFamily::user_poses(MapPoint /*place*/, const FourBar& bars) const {
-  return path_poses(bars, user_poses_);
-}
-std::vector<PrescribedPose> PathFamily::working_poses(MapPoint /*place*/, const FourBar& bars) const {
-  return path_poses(bars, working_poses_);
+std::vector<Cell> PathFamily::all_at(MapPoint place, bool respect_direction) const {
+  const auto found = cell(place, respect_direction);
+  return found ? std::vector{*found} : std::vector<Cell>{};
 }
 
 LinkageOutput PathFamily::output_of(MapPoint place, const FourBar& bars) const {
@@ -149,60 +22,8 @@ std::optional<LinkageOutput> PathFamily::output_form() const {
 
 std::shared_ptr<const FourBarCells> PathFamily::four_bar_cells(const RegionMap& /*map*/) const { return nullptr; }
 
-std::vector<double> PathFamily::samples(Side side, int count, Spacing spacing) const {
-  return cranks_->samples(side, count, spacing);
-}
-
-std::vector<Dyad> PathFamily::polygon(Side side) const {
-  std::vector<Dyad> links;
-  if (side == Side::input)
-    for (const Dyad& crank : cranks_->polygon(side)) links.push_back(crank_link(crank));
-  return links;
-}
-
-std::optional<AxisArcs> PathFamily::arcs_within(Side side, const PivotWindows& windows) const {
-  if (side == Side::output) return std::nullopt;
-  return AxisArcs{arcs_of_dyads(side, windows, [&](double tau) { return dyad(side, tau); }), axis(side).is_discrete()};
-}
-
-FourBarRow PathFamily::row_at(const Dyad& crank, const DyadAxis& cognates, bool respect_direction) const {
-  const std::vector<PrescribedPose> turns = turns_of(working_poses_);
-  const Dyad driver{Homogeneous::of(0), Homogeneous::of(1), crank.coordinate};
-  FourBarRow row{DyadAxis({driver}, turns, respect_direction), cognates, std::vector<float>(cognates.size(), 0)};
-  const auto center = finite_point(crank.center), circle = finite_point(crank.circle);
-  if (!center || !circle || std::abs(*circle) <= tolerance::change_point) {
-    std::fill(row.output.length.begin(), row.output.length.end(), 0);  // degenerate
-    return row;
-  }
-  lay_loops(row.output, *center, *circle);
-  // The driver of each loop has length 1, and the crank that it stands for is as long as this.
-  std::fill(row.enlarge.begin(), row.enlarge.end(), static_cast<float>(std::abs(*circle)));
-  return row;
-}
-
-void PathFamily::fill(RegionMap& map, std::span<const double> input, std::span<const double> output,
-                      bool respect_direction, const RegionOptions& options, const Progress& progress) const {
-  const std::vector<Dyad> cranks = cranks_->dyads(Side::input, input);
-  const DyadAxis cognates(cranks_->dyads(Side::output, output), working_poses_, respect_direction,
-                          DyadAxis::Role::driven);
-  classify_rows(
-      map, input, output, [&](std::size_t row) { return row_at(cranks[row], cognates, respect_direction); },
-      frame().scale, options, progress);
-  map.set_diagonal(diagonal_of(cranks, cognates.dyads, same_points));
-}
-
-// The cranks are the dyads of a motion task.
-TaskFamily task_family(const PathTask& task) {
-  TaskFamily given = task_family(MotionTask{crank_poses(task), {}, {}, {}, {}}, Requirements{}, Objective{});
-  given.derivative_rows.clear();
-  std::erase_if(given.warnings, [](const Notice& notice) { return !is_of_cranks(notice); });
-  std::transform(given.warnings.begin(), given.warnings.end(), given.warnings.begin(), of_points);
-  if (given.has_no_dyads) given.degeneracy = too_few_cranks(given.points.size());
-  if (!given.family) return given;
-  if (auto notice = on_circle(given)) given.warnings.push_back(*std::move(notice));
-  given.paths = std::make_shared<const PathFamily>(task, given.family);
-  given.family = given.paths;
-  return given;
+TaskFamily task_family(const PathTask& task, const Requirements& requirements, Objective objective) {
+  return task.is_timed() ? family_of_timed(task) : family_of_arms(task, requirements, objective);
 }
 
 }  // namespace linkwright

@@ -1,63 +1,50 @@
 #pragma once
 
-#include <memory>
 #include <optional>
-#include <span>
+#include <string>
 #include <vector>
 
 #include "linkwright/planar/four_bar_family.hpp"
 #include "linkwright/planar/path_task.hpp"
 #include "linkwright/planar/task_family.hpp"
+#include "linkwright/region/objective.hpp"
+#include "linkwright/region/requirements.hpp"
 
 namespace linkwright {
 
-/// The four-bars whose coupler point passes places at given angles of the crank: rows of their map are cranks, columns
-/// the cranks of their cognates, both from the curve of all cranks, or from the few that five positions leave. The
+/// The four-bars that lead a point of their coupler along a path: the coupler's poses are others in each cell. The
 /// input is named by the task: nothing is driven from the other side.
 class PathFamily : public FourBarFamily {
  public:
-  /// `task` without mistakes; `cranks`: the dyads of its crank_poses(), each of which depends on its own coordinate
-  /// alone.
-  PathFamily(const PathTask& task, std::shared_ptr<const FourBarFamily> cranks);
+  using FourBarFamily::FourBarFamily;
 
   [[nodiscard]] const LinkageClass& linkages() const override { return path_linkages; }
-  [[nodiscard]] bool has_cognates() const override { return true; }
 
-  /// User's frame.
-  [[nodiscard]] std::span<const PrescribedPose> crank_poses() const { return user_poses_; }
-  /// The larger of both cranks' residuals (residual_of) over the conditions of the derivatives; nothing where no point
+  /// The cranks are given, and each linkage has a cognate with the same path and timing.
+  [[nodiscard]] virtual bool is_timed() const = 0;
+  /// A body that turns with the crank of the bars at a place and is carried by the point, in all positions; user's
+  /// frame, angles in the sense in which the crank passes them.
+  [[nodiscard]] virtual std::vector<PrescribedPose> crank_poses(MapPoint place, const FourBar& bars) const = 0;
+  /// The larger of both links' residuals (residual_of) over the conditions of the derivatives; nothing where no point
   /// has any.
-  [[nodiscard]] std::optional<double> rate_residual(MapPoint place) const;
+  [[nodiscard]] virtual std::optional<double> rate_residual(MapPoint place) const = 0;
 
-  /// Input: the crank; output likewise; both carry their axis' coordinate.
-  [[nodiscard]] std::optional<DyadPair> dyad_pair(MapPoint place) const override;
-  [[nodiscard]] DyadPairsOfCells dyad_pairs_of_cells(std::span<const double> input,
-                                                     std::span<const double> output) const override;
-  [[nodiscard]] std::optional<Dyad> dyad(Side side, double tau) const override;
-  [[nodiscard]] std::vector<PrescribedPose> user_poses(MapPoint place, const FourBar& bars) const override;
-  [[nodiscard]] std::vector<PrescribedPose> working_poses(MapPoint place, const FourBar& bars) const override;
+  /// All linkages at a place, those of several layers with the coordinates of theirs, the best first.
+  [[nodiscard]] virtual std::vector<Cell> all_at(MapPoint place, bool respect_direction) const;
+  /// On which side of the line from the given pivot to each point the elbow of the arm stands, "+" left as one looks
+  /// along it to the point or "-", and by its number which of the further dyads: "+-++- 2". Empty where nothing
+  /// is to be told.
+  [[nodiscard]] virtual std::string elbows_at(MapPoint /*place*/) const { return {}; }
+
   [[nodiscard]] LinkageOutput output_of(MapPoint place, const FourBar& bars) const override;
   [[nodiscard]] std::optional<LinkageOutput> output_form() const override;
-  /// None: the coupler's poses are others in each cell.
+  /// None.
   [[nodiscard]] std::shared_ptr<const FourBarCells> four_bar_cells(const RegionMap& map) const override;
-  [[nodiscard]] std::vector<double> samples(Side side, int count, Spacing spacing) const override;
-  /// Input: the cranks along their curve; output: none, for it depends on the crank.
-  [[nodiscard]] std::vector<Dyad> polygon(Side side) const override;
-  /// Of the cranks; output links depend on them.
-  [[nodiscard]] std::optional<AxisArcs> arcs_within(Side side, const PivotWindows& windows) const override;
-
- private:
-  [[nodiscard]] FourBarRow row_at(const Dyad& crank, const DyadAxis& cognates, bool respect_direction) const;
-  void fill(RegionMap& map, std::span<const double> input, std::span<const double> output, bool respect_direction,
-            const RegionOptions& options, const Progress& progress) const override;
-
-  std::shared_ptr<const FourBarFamily> cranks_;
-  std::vector<PrescribedPose> user_poses_, working_poses_;  ///< of the body that turns with the crank
-  std::vector<HomogeneousMatrix> derivative_rows_;
 };
 
-/// What a path task says before its linkages are classified. `conditions`, `curve` and `points` are those of its cranks
-/// as dyads; `derivative_rows` stays empty: PathFamily::rate_residual(). `task` without mistakes.
-[[nodiscard]] TaskFamily task_family(const PathTask& task);
+/// What a path task says before its linkages are classified. Of a timed one `conditions`, `curve` and `points` are
+/// those of its cranks as dyads; `derivative_rows` stays empty: PathFamily::rate_residual(). Requirements and objective
+/// choose which of several linkages at a place stands for them. `task` without mistakes.
+[[nodiscard]] TaskFamily task_family(const PathTask& task, const Requirements& requirements, Objective objective);
 
 }  // namespace linkwright

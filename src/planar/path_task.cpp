@@ -47,6 +47,111 @@ void check_count(const PathTask& task, std::vector<Error>& found) {
                      values});
 }
 
+void check_count_for_pivots(const PathTask& task, std::vector<Error>& found) {
+  const int count = position_count(task.points), wanted = task.pivots.count() == 1 ? 5 : 3;
+  const int change = std::abs(wanted - count);
+  if (count == wanted) return;
+  const std::string_view advice = count < wanted ? "add" : "remove";
+  const std::string_view code = wanted == 5 ? (count < 5 ? "too_few_points_for_pivot" : "too_many_points_for_pivot")
+                                            : (count < 3 ? "too_few_points_for_pivots" : "too_many_points_for_pivots");
+  found.push_back(
+      {std::string(code),
+       "task.points",
+       fmt::format("{}, and {}; {} {} (a direction of travel at a point, \"derivatives\", counts as one more)",
+                   count_words(task, count),
+                   wanted == 5 ? "one ground pivot that is given goes with five"
+                               : "two ground pivots that are given go with three",
+                   advice, change),
+       {{"count", count}, {"change", change}}});
+}
+
+double extent_of(const PathTask& task) {
+  double extent = 0;
+  for (const PathPoint& point : task.points)
+    extent = std::max(extent, std::abs(point.point - task.points.front().point));
+  return extent;
+}
+
+bool are_same_places(const PathTask& task, std::size_t i, std::size_t j) {
+  return std::abs(task.points[i].point - task.points[j].point) <= tolerance::repeated_pose * extent_of(task);
+}
+
+void check_pivot(const PathTask& task, Point pivot, const std::string& place, std::vector<Error>& found) {
+  check_number(pivot.real(), "x", place + "[0]", found);
+  check_number(pivot.imag(), "y", place + "[1]", found);
+  for (std::size_t i = 0; i < task.points.size() && found.empty(); ++i)
+    if (std::abs(task.points[i].point - pivot) <= tolerance::repeated_pose * extent_of(task))
+      found.push_back({"point_at_pivot",
+                       place_of_point(i),
+                       fmt::format("point {} lies at a ground pivot that is given: a link that reaches it there would "
+                                   "turn freely; move one of both",
+                                   i + 1),
+                       {{"i", i + 1}}});
+}
+
+void check_pivots(const PathTask& task, std::vector<Error>& found) {
+  const std::string place = "task.given.ground_pivots";
+  if (task.pivots.input) check_pivot(task, *task.pivots.input, place + ".input", found);
+  if (task.pivots.output) check_pivot(task, *task.pivots.output, place + ".output", found);
+  if (task.pivots.count() == 2 && found.empty() &&
+      std::abs(*task.pivots.input - *task.pivots.output) <= tolerance::repeated_pose * extent_of(task))
+    found.push_back({"pivots_at_one_place", place,
+                     "both ground pivots lie at one place: there is no ground link; move one of them"});
+}
+
+// A point without an angle of the crank is passed with some speed, and no angle tells the crank's.
+void check_directions(const PathTask& task, std::vector<Error>& found) {
+  for (std::size_t i = 0; i < task.points.size(); ++i)
+    for (std::size_t m = 0; m < task.points[i].derivatives.size(); ++m) {
+      const PathDerivative& derivative = task.points[i].derivatives[m];
+      const std::string place = fmt::format("{}.derivatives[{}]", place_of_point(i), m);
+      if (derivative.input)
+        found.push_back({"rate_without_angle", place + ".input",
+                         "the crank's rate goes with its angle, and this task gives none; leave \"input\" out"});
+      if (m == 0 && derivative.point == Point{})
+        found.push_back({"point_at_rest", place,
+                         "the point would stand still here; give the direction in which it passes, of any length"});
+    }
+}
+
+// An arm reaches a place in two ways.
+void check_repetitions(const PathTask& task, std::vector<Error>& found) {
+  for (std::size_t i = 0; i < task.points.size(); ++i) {
+    std::size_t same = 0;
+    for (std::size_t j = i + 1; j < task.points.size(); ++j) same += are_same_places(task, i, j);
+    if (same > 1)
+      return found.push_back(
+          {"path_point_three_times",
+           place_of_point(i),
+           fmt::format("point {} is there three times, and a link comes there in two ways; leave one "
+                       "out",
+                       i + 1),
+           {{"i", i + 1}}});
+    if (i + 1 < task.points.size() && are_same_places(task, i, i + 1))
+      return found.push_back({"path_point_again_at_once",
+                              place_of_point(i + 1),
+                              fmt::format("point {} is point {} again; leave it out, or give a direction of travel "
+                                          "(\"derivatives\") instead",
+                                          i + 2, i + 1),
+                              {{"i", i + 1}, {"j", i + 2}}});
+  }
+}
+
+void check_something_is_given(const PathTask& task, std::vector<Error>& found) {
+  if (task.pivots.count() == 0)
+    found.push_back({"path_leaves_too_much", "task.points",
+                     "points alone leave too much open; give the angle of the crank at every point (\"input_deg\"), or "
+                     "a ground pivot (\"given\": {\"ground_pivots\": {\"input\": [x, y]}}) with five points, or both "
+                     "ground pivots with three"});
+}
+
+void check_nothing_else_is_given(const PathTask& task, std::vector<Error>& found) {
+  if (task.pivots.count() > 0)
+    found.push_back({"pivots_and_angles", "task.given",
+                     "ground pivots are given together with angles of the crank, which leave no place for them; leave "
+                     "one of both out"});
+}
+
 void check_timing_is_given(const PathTask& task, std::vector<Error>& found) {
   for (std::size_t i = 0; i < task.points.size(); ++i)
     if (!task.points[i].input)
@@ -75,13 +180,6 @@ std::string list_words(const std::vector<std::size_t>& points) {
   for (std::size_t i = 0; i < points.size(); ++i)
     text += fmt::format("{}{}", i == 0 ? "" : i + 1 == points.size() ? " and " : ", ", points[i] + 1);
   return text;
-}
-
-bool are_same_places(const PathTask& task, std::size_t i, std::size_t j) {
-  double extent = 0;
-  for (const PathPoint& point : task.points)
-    extent = std::max(extent, std::abs(point.point - task.points.front().point));
-  return std::abs(task.points[i].point - task.points[j].point) <= tolerance::repeated_pose * extent;
 }
 
 Error repeated_point(const PathTask& task, std::size_t i, std::size_t j) {
@@ -186,15 +284,32 @@ double crank_sense(const PathTask& task) {
   return sense < 0 ? -1 : 1;
 }
 
-std::vector<Error> mistakes_in(const PathTask& task) {
+static std::vector<Error> mistakes_in_timed(const PathTask& task) {
   std::vector<Error> found;
   check_count(task, found);
   check_timing_is_given(task, found);
   check_numbers(task, found);
+  if (found.empty()) check_nothing_else_is_given(task, found);
   if (found.empty()) check_equal_angles(task, found);
   if (found.empty()) check_sequence(task, found);
   if (found.empty()) check_rates(task, found);
   return found;
+}
+
+static std::vector<Error> mistakes_in_untimed(const PathTask& task) {
+  std::vector<Error> found;
+  check_numbers(task, found);
+  if (found.empty()) check_something_is_given(task, found);
+  if (found.empty()) check_count_for_pivots(task, found);
+  if (found.empty()) check_pivots(task, found);
+  if (found.empty()) check_directions(task, found);
+  if (found.empty()) check_repetitions(task, found);
+  return found;
+}
+
+std::vector<Error> mistakes_in(const PathTask& task) {
+  const bool has_nothing = task.points.empty() && task.pivots.count() == 0;
+  return task.is_timed() || has_nothing ? mistakes_in_timed(task) : mistakes_in_untimed(task);
 }
 
 std::vector<PrescribedPose> crank_poses(const PathTask& task) {

@@ -105,7 +105,7 @@ TimedPath timed_path(const FourBar& bars, std::span<const PrescribedPose> crank_
   for (const PrescribedPose& pose : crank_poses) path.input.push_back(pose.pose.angle - crank_poses.front().pose.angle);
   for (const PrescribedPose& pose : poses) path.coupler.push_back(pose.pose.angle);
   path.cognate = timed_cognate(bars, path.point);
-  path.cognate_size = path.cognate.lengths().input / bars.lengths().input;
+  path.cognate_size = path.cognate->lengths().input / bars.lengths().input;
   path.full_turn = input_is_crank(linkage_type(bars.lengths()));
   path.circuit_order = circuit_order(bars, poses);
   return path;

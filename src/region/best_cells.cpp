@@ -55,8 +55,13 @@ std::vector<RankedCell> hill_tops(const RegionMap& map, const RequirementFilter&
   const auto score_at = [&](std::size_t row, std::size_t column) {
     return filter.passes(row, column) ? ranking.score(map.index(row, column)) : no_score;
   };
+  const std::span<const float> layers = map.values(measures::layer);
+  const auto same_layer = [&](std::size_t cell, std::size_t other) {
+    return layers.empty() || layers[cell] == layers[other];
+  };
   const auto same_hill = [&](std::size_t row, std::size_t column, std::size_t other_row, std::size_t other_column) {
-    return map.type(map.index(row, column)) == map.type(map.index(other_row, other_column)) &&
+    const std::size_t cell = map.index(row, column), other = map.index(other_row, other_column);
+    return map.type(cell) == map.type(other) && same_layer(cell, other) &&
            same_branch(map.input_coordinates()[row], map.input_coordinates()[other_row]) &&
            same_branch(map.output_coordinates()[column], map.output_coordinates()[other_column]);
   };

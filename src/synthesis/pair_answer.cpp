@@ -9,6 +9,7 @@
 #include "function/generator_search.hpp"
 #include "linkage_search.hpp"
 #include "linkwright/core/tolerance.hpp"
+#include "linkwright/region/cell_judge.hpp"
 #include "linkwright/spherical/spherical_task_family.hpp"
 #include "picked_place.hpp"
 #include "planar/chosen_length.hpp"
@@ -69,11 +70,12 @@ std::vector<FourBarSolution> all_pairs(const PathAnswer& answer) {
 }
 
 // What turning the crank shows of a path, which knows the pivots and the point alone.
-void drive_path(FourBarSolution& found, const PathFamily& family) {
+void drive_path(FourBarSolution& found, const PathFamily& family, std::span<const PrescribedPose> crank_poses) {
+  const bool is_clean = found.report.defects.none();
+  if (!is_clean && !family.is_timed()) return;  // out of order its crank goes to and fro
   TimedPath& path = *found.path;
   const double near = tolerance::point_met * family.frame().scale;
-  const PathDrive drive = drive_along_path(found.four_bar, path.point, family.crank_poses(), near);
-  const bool is_clean = found.report.defects.none();
+  const PathDrive drive = drive_along_path(found.four_bar, path.point, crank_poses, near);
   path.position_error = drive.position_error;
   path.timing_error = drive.timing_error;
   found.verified_by_driving =
@@ -162,6 +164,28 @@ void look_at_map(FourBarAnswer& answer) {
 }
 void look_at_map(SphericalAnswer& /*answer*/) {}
 
+template <class KindAnswer>
+void list_there(KindAnswer& answer) {
+  list_what_is_there(answer, *answer.given.family,
+                     [&](MapPoint place, const auto& /*failed*/) { return linkage_at(answer, place); });
+}
+
+// Where several stand at a place, all that meet the requirements after the one that the map shows.
+void list_there(PathAnswer& answer) {
+  list_there<PathAnswer>(answer);
+  const PathFamily& family = *answer.given.paths;
+  const MapPoint place = *answer.options.at;
+  if (answer.linkages.empty() || place.input >= family.axis(Side::input).coordinate_length()) return;
+  const CellJudge judge(answer.requirements, family.linkages(), family.measures());
+  for (const Cell& cell : family.all_at(place, answer.requirements.respect_direction)) {
+    const bool is_listed = cell.place.input == answer.linkages.front().input.coordinate;
+    auto found = is_listed || !judge.passes(cell) ? std::nullopt : linkage_at(answer, cell.place);
+    if (!found) continue;
+    answer.linkages.push_back(*std::move(found));
+    answer.fails.emplace_back();
+  }
+}
+
 // What is found of a family of pairs; false where it was cancelled.
 template <class KindAnswer>
 bool find_pairs(KindAnswer& answer, const TaskWords& words, const Progress& progress) {
@@ -178,8 +202,7 @@ bool find_pairs(KindAnswer& answer, const TaskWords& words, const Progress& prog
   look_at_map(answer);
   if (!given.points.empty() && !given.curve) answer.pairs = all_pairs(answer);
   if (answer.options.at) {
-    list_what_is_there(answer, family,
-                       [&](MapPoint place, const auto& /*failed*/) { return linkage_at(answer, place); });
+    list_there(answer);
   } else {
     auto best = best_linkages(family, making_of(answer), answer, counted, progress);
     answer.linkages = std::move(best.linkages);
@@ -246,9 +269,13 @@ std::optional<FourBarSolution> linkage_at(const PathAnswer& answer, MapPoint pla
   auto found = linkage_at(static_cast<const FourBarAnswer&>(answer), place, verify);
   if (!found || !answer.given.paths) return found;
   const PathFamily& family = *answer.given.paths;
-  found->path = timed_path(found->four_bar, family.crank_poses());
-  found->residual_derivatives = family.rate_residual(place);
-  if (verify) drive_path(*found, family);
+  const MapPoint there = answer.point_of(*found);  // with its layer
+  const std::vector<PrescribedPose> crank_poses = family.crank_poses(there, found->four_bar);
+  found->path = timed_path(found->four_bar, crank_poses);
+  found->path->elbows = family.elbows_at(there);
+  if (!family.is_timed()) found->path->cognate.reset();
+  found->residual_derivatives = family.rate_residual(there);
+  if (verify) drive_path(*found, family, crank_poses);
   return found;
 }
 std::optional<SphericalSolution> linkage_at(const SphericalAnswer& answer, MapPoint place, bool verify) {
@@ -271,7 +298,7 @@ FunctionAnswer begin_answer(const FunctionTask& task, const Requirements& requir
 }
 PathAnswer begin_answer(const PathTask& task, const Requirements& requirements, const SynthesisOptions& options,
                         const Progress& /*progress*/) {
-  return begin_pairs<PathAnswer>(task, task_family(task), requirements, options);
+  return begin_pairs<PathAnswer>(task, task_family(task, requirements, options.objective), requirements, options);
 }
 SphericalMotionAnswer begin_answer(const SphericalMotionTask& task, const Requirements& requirements,
                                    const SynthesisOptions& options, const Progress& /*progress*/) {

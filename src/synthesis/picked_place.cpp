@@ -14,7 +14,9 @@ namespace {
 
 // Its end is a place of an axis too: where the axis is closed, the same as its beginning.
 bool is_on_axis(const LinkageFamily& family, Side side, double coordinate) {
-  return coordinate >= 0 && coordinate <= family.axis(side).coordinate_length();
+  const MapAxis& axis = family.axis(side);
+  const double there = axis.layers > 0 ? axis.onto(coordinate) : coordinate;
+  return there >= 0 && there <= axis.coordinate_length();
 }
 
 bool is_on_axes(const LinkageFamily& family, MapPoint place) {

@@ -22,7 +22,8 @@ PATTERNS = {"tailgate": "P-P-P-P", "drawer_hinge": "P-P-P-P", "dump_bucket": "P-
             "sine_generator": "P-P-P-P", "log_generator": "P-P-P-P-P", "flow_meter": "P-P-P-P", "flow_meter_as_made": "P-P-P-P", "tailgate_as_made": "P-P-P-P",
             "loader_bucket": "P-P-P-P", "loader_bucket_chain": "P-P-P-P",
             "folding_wing": "P-P-P-P", "wrist_orthosis": "P-P-P-P", "antenna_pointing": "P-P-P-P",
-            "ankle_orthosis": "P-P-P-P-P", "universal_joint_like": "P-P-P-P", "film_claw": "P-P-P-P"}
+            "ankle_orthosis": "P-P-P-P-P", "universal_joint_like": "P-P-P-P", "film_claw": "P-P-P-P",
+            "dough_mixer": "P-P-P-P-P", "windscreen_wiper": "P-P-P"}
 
 # What the function generators are to generate.
 WANTED = {"sine_generator": lambda x: math.sin(math.radians(x)), "log_generator": math.log10, "flow_meter": math.sqrt,

@@ -8,7 +8,8 @@ import unittest
 from driven_linkages import FourBar
 from face_support import ROOT, FaceTest, load, run
 
-CASES = sorted(path for path in (ROOT / "data/path").glob("*.json") if path.stem != "nasty_timed")
+CASES = sorted(path for path in (ROOT / "data/path").glob("*.json") if "timed" in path.stem and path.stem != "nasty_timed")
+UNTIMED = ("dough_mixer_five_points", "wiper_pivots_three_points")
 STEPS = 400  # of a drive to a point
 
 
@@ -35,9 +36,8 @@ class Paths(FaceTest):
         self.assertEqual((status, error), (0, ""))
         return json.loads(output)
 
-    def check_linkage(self, task, linkage):
+    def check_linkage(self, task, linkage, turns):
         points = [complex(point["x"], point["y"]) for point in task["points"]]
-        turns = [math.radians(point["input_deg"] - task["points"][0]["input_deg"]) for point in task["points"]]
         places = driven_along(linkage, turns)
         if any(linkage["defects"].values()):
             far = places is None or max(abs(a - b) for a, b in zip(places, points)) > 1e-6
@@ -63,6 +63,7 @@ class Paths(FaceTest):
         self.assertEqual(len(CASES), 5)
         for path in CASES:
             task = load(path)["task"]
+            turns = [math.radians(point["input_deg"] - task["points"][0]["input_deg"]) for point in task["points"]]
             result = self.solve(task, "--samples", 101)
             self.assertEqual(result["status"], "solved")
             self.assertEqual(result["timing"], "all")
@@ -70,8 +71,33 @@ class Paths(FaceTest):
             for number, linkage in enumerate(result["linkages"] + result["pairs"], start=1):
                 with self.subTest(path.stem, linkage=number):
                     self.assertIs(linkage["verified_by_driving"], True)
-                    self.check_linkage(task, linkage)
+                    self.check_linkage(task, linkage, turns)
                     self.check_cognate(task, linkage)
+
+    def test_points_alone_are_passed_in_order(self):
+        for name in UNTIMED:
+            task = load(ROOT / f"data/path/{name}.json")["task"]
+            result = self.solve(task, "--samples", 61)
+            self.assertEqual(result["timing"], "none")
+            self.assertEqual([axis["quantity"] for axis in result["region"]["axes"]], ["arm_reach", "arm_difference"])
+            self.assertEqual(len(result["linkages"]), 10)
+            for number, linkage in enumerate(result["linkages"], start=1):
+                with self.subTest(name, linkage=number):
+                    turns = linkage["input_deg_at_points"]
+                    steps = [b - a for a, b in zip(turns, turns[1:])]
+                    self.assertTrue(all(step > 0 for step in steps) or all(step < 0 for step in steps))
+                    self.assertLess(abs(turns[-1]), 360)
+                    self.check_linkage(task, linkage, [math.radians(turn) for turn in turns])
+                    self.assertNotIn("cognate", linkage)
+
+    def test_a_place_is_asked_by_its_layer(self):
+        problem = load(ROOT / "examples/dough_mixer.json")
+        listed = self.solve(problem["task"], "--samples", 61)["linkages"][0]
+        layer = [listed["input"]["coordinate"], listed["output"]["coordinate"]]
+        again = self.solve(problem["task"], options={"at": layer})["linkages"]
+        self.assertEqual(len(again), 1)
+        self.assertEqual(again[0]["elbows"], listed["elbows"])
+        self.assertEqual(again[0]["output"]["center_point"], listed["output"]["center_point"])
 
     def test_counts_are_those_of_the_cases(self):
         for path in CASES:

@@ -54,7 +54,7 @@ INSTANTIATE_TEST_SUITE_P(Examples, EachKindOfResult,
                          ::testing::Values("tailgate", "latch", "nose_gear", "hood_hinge", "sine_generator",
                                            "flow_meter", "folding_wing", "universal_joint_like", "loader_bucket",
                                            "loader_bucket_chain", "straight_luffing_crane", "straight_stage",
-                                           "straight_search", "film_claw"));
+                                           "straight_search", "film_claw", "dough_mixer", "windscreen_wiper"));
 
 TEST(ListedProblem, RefusesWhatIsNoResultAndNumbersBeyond) {
   const testing::Solved& sine = testing::function();

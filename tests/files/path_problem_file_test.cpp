@@ -50,10 +50,36 @@ TEST(PathProblemFile, ComesBackBitIdentical) {
   }
 }
 
+// Points alone, with one ground pivot or both.
+TEST(PathProblemFile, PivotsComeBack) {
+  std::mt19937_64 random(8);
+  const auto place = [&] { return Point{testing::uniform(random, -9, 9), testing::uniform(random, -9, 9)}; };
+  for (int trial = 0; trial < testing::draws(60); ++trial) {
+    PathTask task;
+    const int way = trial % 3, points = way == 2 ? 3 : 5;
+    for (int j = 0; j < points; ++j) task.points.push_back({place(), std::nullopt, {}});
+    if (way != 1) task.pivots.input = place();
+    if (way != 0) task.pivots.output = place();
+    Problem problem;
+    problem.task = task;
+    const auto again = read_problem(write_problem(problem));
+    ASSERT_TRUE(again.ok()) << again.errors().front().message;
+    EXPECT_EQ(std::get<PathTask>(again->task), task);
+  }
+}
+
 TEST(PathProblemFile, IsSpokenOf) {
   const Task task = testing::path_case("thread_takeup_timed_mixed").task;
   EXPECT_EQ(task_label(task), "path through four positions at given crank angles (PP-P-P)");
   EXPECT_EQ(short_task_label(task), "path through four positions");
+  const Task mixer = testing::path_case("dough_mixer_five_points").task;
+  EXPECT_EQ(task_label(mixer),
+            "path through five positions with given ground pivot of the input link (40, 90) "
+            "(P-P-P-P-P)");
+  const Task wiper = testing::path_case("wiper_pivots_three_points").task;
+  EXPECT_EQ(task_label(wiper),
+            "path through three positions with given ground pivots (150, -200) and (330, -160) "
+            "(P-P-P)");
 }
 
 nlohmann::json result_of(const std::string& name, int samples) {

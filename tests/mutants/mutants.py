@@ -37,7 +37,7 @@ PLANAR = [
     ("sector test turned", "in_negative = less<Width>(turn_in, Real{})", "in_negative = less<Width>(Real{}, turn_in)"),
     ("passing along the frame always possible", "(passes_0 & ~limits.can_pass_0) |", ""),
     ("passing opposite to the frame always possible", "| (passes_pi & ~limits.can_pass_pi)", ""),
-    ("last pose left out of the angle", "std::min(angle_at(0), angle_at(input.arm.size() - 1))", "angle_at(0)"),
+    ("last pose left out of the angle", "std::min(angle_at(0), angle_at(last))", "angle_at(0)"),
     ("angle along the frame and opposite exchanged", "passes_0 ? angle_at(std::abs(l.ground - l.input))",
      "passes_0 ? angle_at(l.ground + l.input)"),
     ("what the driver passes exchanged", "verdict.passes_0 = way.best.passes_0;", "verdict.passes_0 = way.best.passes_pi;"),
@@ -112,6 +112,16 @@ SENSITIVITIES = [
     ("best line's slope", "value + product / square", "value - product / square"),
 ]
 
+ARMS = [
+    ("sum and difference exchanged", "(sum - difference) / 2, (sum + difference) / 2", "(sum + difference) / 2, (sum - difference) / 2"),
+    ("elbow on the other half of the line", "0.5 * (1 - sum * difference / square)", "0.5 * (1 + sum * difference / square)"),
+    ("elbows exchanged", "side == 0 ? across : -across", "side == 0 ? -across : across"),
+    ("order of the first two left out", "next.ccw = ccw && next.sweep > sweep;", "next.ccw = ccw;"),
+    ("clockwise is not falling", "(point == 1 || next.sweep < sweep)", "(point == 1 || next.sweep > sweep)"),
+    ("half a turn in the other sense", "senses_of(sweep >= 2, sweep > 0 && sweep <= 2)", "senses_of(sweep <= 2, sweep >= 2)"),
+    ("left half of the plane upside down", "v.real() < 0 ? 2 - share : share", "v.real() < 0 ? 2 + share : share"),
+]
+
 STRAIGHT_LINE_CHECK = ["tests/mutants/straight_line_check.cpp", "tests/support/straight_line_tasks.cpp",
                        "tests/support/random_task.cpp"]
 
@@ -121,6 +131,7 @@ SUBJECTS = {
                ["tests/mutants/planar_check.cpp", "tests/support/random_four_bar.cpp"], PLANAR),
     "spherical": ("src/mechanism/spherical_defects.cpp", ["src/mechanism/spherical_verdict.hpp"],
                   ["tests/mutants/spherical_check.cpp"], SPHERICAL),
+    "arms": ("src/planar/arm_reach.cpp", [], ["tests/mutants/arm_check.cpp"], ARMS),
     "cases of straight lines": ("src/straight_line/line_cases.cpp", [], STRAIGHT_LINE_CHECK, LINE_CASES),
     "contacts at places": ("src/straight_line/mixed_contacts.cpp", [], STRAIGHT_LINE_CHECK, CONTACTS),
     "sensitivities": ("src/robust/sensitivity.cpp", [],

@@ -42,6 +42,65 @@ TEST(PathTask, AsksForTheCrankAtEveryPoint) {
   EXPECT_EQ(codes(task), "untimed_point@points[2]");
 }
 
+PathTask mixer() {
+  PathTask task;
+  for (const Point p : {Point{0, 0}, Point{95, 40}, Point{150, 140}, Point{60, 230}, Point{-70, 190}})
+    task.points.push_back({p, std::nullopt, {}});
+  task.pivots.input = Point{40, 90};
+  return task;
+}
+
+TEST(PathTask, TakesPointsAloneWithGroundPivots) {
+  PathTask task = mixer();
+  EXPECT_EQ(codes(task), "");
+  task.pivots = {std::nullopt, Point{40, 90}};
+  EXPECT_EQ(codes(task), "");
+  task.points.pop_back();
+  EXPECT_EQ(codes(task), "too_few_points_for_pivot@points");
+  task.points[2].derivatives = {{{0, 1}, std::nullopt}};
+  EXPECT_EQ(codes(task), "");
+  task.pivots.input = Point{0, 50};
+  EXPECT_EQ(codes(task), "too_many_points_for_pivots@points");
+  task.points.resize(3);
+  EXPECT_EQ(codes(task), "too_many_points_for_pivots@points");
+  task.points[2].derivatives.clear();
+  EXPECT_EQ(codes(task), "");
+}
+
+TEST(PathTask, RefusesPointsAloneThatMakeNoSense) {
+  PathTask task = mixer();
+  task.pivots = {};
+  EXPECT_EQ(codes(task), "path_leaves_too_much@points");
+  task = mixer();
+  task.pivots.input = task.points[3].point;
+  EXPECT_EQ(codes(task), "point_at_pivot@points[3]");
+  task = mixer();
+  task.pivots.input = Point{std::numeric_limits<double>::infinity(), 0};
+  EXPECT_EQ(codes(task), "number_range@given.ground_pivots.input[0]");
+  task = mixer();
+  task.points.resize(3);
+  task.pivots.output = task.pivots.input;
+  EXPECT_EQ(codes(task), "pivots_at_one_place@given.ground_pivots");
+  task = mixer();
+  task.points.pop_back();
+  task.points[1].derivatives = {{{1, 2}, 0.5}};
+  EXPECT_EQ(codes(task), "rate_without_angle@points[1].derivatives[0].input");
+  task.points[1].derivatives = {{{0, 0}, std::nullopt}};
+  EXPECT_EQ(codes(task), "point_at_rest@points[1].derivatives[0]");
+  task = mixer();
+  task.points[2].point = task.points[1].point;
+  EXPECT_EQ(codes(task), "path_point_again_at_once@points[2]");
+  task = mixer();
+  task.points[2].point = task.points[4].point = task.points[0].point;
+  EXPECT_EQ(codes(task), "path_point_three_times@points[0]");
+  task = mixer();
+  task.points[2].point = task.points[0].point;
+  EXPECT_EQ(codes(task), "");
+  task = claw();
+  task.pivots.input = Point{30, 0};
+  EXPECT_EQ(codes(task), "pivots_and_angles@given");
+}
+
 TEST(PathTask, TakesNumbersOnly) {
   PathTask task = claw();
   task.points[1].point = {0, std::numeric_limits<double>::infinity()};

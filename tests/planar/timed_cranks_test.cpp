@@ -7,7 +7,7 @@
 #include "linkwright/core/angle.hpp"
 #include "linkwright/planar/burmester_points.hpp"
 #include "linkwright/planar/timed_path.hpp"
-#include "planar/path_family.hpp"
+#include "planar/timed_path_family.hpp"
 #include "support/path_case.hpp"
 
 namespace linkwright::timed_cranks_test {
@@ -92,7 +92,7 @@ TEST(TimedCranks, PointsOnACircleAreCarriedByTheOutput) {
   const auto item = std::find_if(items.begin(), items.end(),
                                  [](const auto& each) { return each.at("name") == "circle_other_timing"; });
   const PathTask task = testing::path_task(item->at("task"));
-  const TaskFamily given = task_family(task);
+  const TaskFamily given = family_of_timed(task);
   ASSERT_TRUE(given.paths && given.curve);
   const auto warning = std::find_if(given.warnings.begin(), given.warnings.end(),
                                     [](const Notice& n) { return n.code == "points_on_circle"; });

@@ -89,16 +89,17 @@ TEST(TimedPath, TheCognateHasTheSamePathAndTiming) {
       const FourBar bars = testing::bars_of(linkage);
       const auto cranks = crank_poses(c.task);
       const TimedPath path = timed_path(bars, cranks);
-      const double size = path.cognate.lengths().longest();
-      const auto poses = path_poses(path.cognate, cranks);
+      const FourBar cognate = path.cognate.value();
+      const double size = cognate.lengths().longest();
+      const auto poses = path_poses(cognate, cranks);
       for (std::size_t j = 0; j < poses.size(); ++j) {
-        const Point a = displaced(path.cognate.input_moving, poses[0].pose, poses[j].pose);
-        const Point b = displaced(path.cognate.output_moving, poses[0].pose, poses[j].pose);
-        EXPECT_NEAR(std::abs(a - crank_at(path.cognate, cranks[j].pose.angle)), 0, 1e-11 * size) << name;
-        EXPECT_NEAR(std::abs(b - path.cognate.output_fixed), path.cognate.lengths().output, 1e-11 * size) << name;
+        const Point a = displaced(cognate.input_moving, poses[0].pose, poses[j].pose);
+        const Point b = displaced(cognate.output_moving, poses[0].pose, poses[j].pose);
+        EXPECT_NEAR(std::abs(a - crank_at(cognate, cranks[j].pose.angle)), 0, 1e-11 * size) << name;
+        EXPECT_NEAR(std::abs(b - cognate.output_fixed), cognate.lengths().output, 1e-11 * size) << name;
       }
-      EXPECT_NEAR(path.cognate_size * bars.lengths().ground, path.cognate.lengths().ground, 1e-11 * size) << name;
-      const FourBar back = timed_cognate(path.cognate, path.point);
+      EXPECT_NEAR(path.cognate_size * bars.lengths().ground, cognate.lengths().ground, 1e-11 * size) << name;
+      const FourBar back = timed_cognate(cognate, path.point);
       EXPECT_NEAR(std::abs(back.input_moving - bars.input_moving), 0, 1e-10 * size) << name;
       EXPECT_NEAR(std::abs(back.output_fixed - bars.output_fixed), 0, 1e-10 * size) << name;
     }

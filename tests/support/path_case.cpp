@@ -14,7 +14,8 @@ Point point_of(const nlohmann::json& json) { return {json[0], json[1]}; }
 PathTask path_task(const nlohmann::json& json) {
   PathTask task;
   for (const auto& point : json.at("points")) {
-    PathPoint prescribed{{point.at("x"), point.at("y")}, radians(point.at("input_deg").get<double>()), {}};
+    PathPoint prescribed{{point.at("x"), point.at("y")}, std::nullopt, {}};
+    if (point.contains("input_deg")) prescribed.input = radians(point.at("input_deg").get<double>());
     if (point.contains("derivatives"))
       for (const auto& d : point.at("derivatives")) {
         prescribed.derivatives.push_back({{d.at("x"), d.at("y")}, std::nullopt});
@@ -22,6 +23,10 @@ PathTask path_task(const nlohmann::json& json) {
       }
     task.points.push_back(prescribed);
   }
+  if (!json.contains("given")) return task;
+  const auto& pivots = json.at("given").at("ground_pivots");
+  if (pivots.contains("input")) task.pivots.input = point_of(pivots.at("input"));
+  if (pivots.contains("output")) task.pivots.output = point_of(pivots.at("output"));
   return task;
 }
 

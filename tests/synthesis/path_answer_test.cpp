@@ -64,7 +64,7 @@ TEST(PathAnswer, ListsOneOfTwoCognates) {
   for (const FourBarSolution& found : answer.linkages) {
     EXPECT_GE(found.path->cognate_size, 1);
     for (const FourBarSolution& other : answer.linkages)
-      EXPECT_GT(std::abs(other.four_bar.input_fixed - found.path->cognate.input_fixed), 1e-3)
+      EXPECT_GT(std::abs(other.four_bar.input_fixed - found.path->cognate.value().input_fixed), 1e-3)
           << "the cognate of one is another";
   }
 }
@@ -80,7 +80,7 @@ TEST(PathAnswer, ListsTheLargerCognateWhereTheSmallerIsNotAllowed) {
                                       [&](const auto& a, const auto& b) { return size(a) < size(b); });
   ASSERT_NE(apart, all.linkages.end());
   ASSERT_GT(size(*apart), 1.1);
-  const FourBar& larger = apart->path->cognate;
+  const FourBar larger = apart->path->cognate.value();
   const double around = 0.02 * larger.lengths().ground;
   const auto [x, y] = std::pair(std::minmax({larger.input_fixed.real(), larger.output_fixed.real()}),
                                 std::minmax({larger.input_fixed.imag(), larger.output_fixed.imag()}));
@@ -179,6 +179,91 @@ TEST(PathAnswer, TolerancesAreOfThePointAlone) {
   ASSERT_TRUE(with.tolerance[0] && without.tolerance[0]);
   EXPECT_GT(with.tolerance[0]->error, 0);
   EXPECT_EQ(with.tolerance[0]->error, without.tolerance[0]->error);
+}
+
+// ---- points alone ---------------------------------------------------------------------------------------------------
+
+Requirements turning() {
+  Requirements wanted;
+  wanted.full_turn = true;
+  wanted.min_transmission_angle = radians(25);
+  return wanted;
+}
+
+TEST(PathAnswer, PointsAloneHaveTheBestOfEveryPlaceDriven) {
+  const PathTask task = testing::path_case("dough_mixer_five_points").task;
+  const PathAnswer answer = solved(task, turning(), coarse());
+  EXPECT_EQ(answer.status, SolutionStatus::solved);
+  EXPECT_EQ(answer.counts.pairs, 60 * 60);
+  ASSERT_EQ(answer.linkages.size(), 10u);
+  for (const FourBarSolution& found : answer.linkages) {
+    EXPECT_TRUE(found.verified_by_driving);
+    ASSERT_TRUE(found.path);
+    EXPECT_TRUE(found.path->full_turn);
+    EXPECT_FALSE(found.path->cognate);
+    EXPECT_EQ(found.path->elbows.size(), 7u);
+    EXPECT_EQ(found.path->input.size(), 5u);
+    EXPECT_LT(found.path->position_error, 1e-9 * answer.characteristic_length);
+    EXPECT_EQ(found.four_bar.input_fixed, *task.pivots.input);
+    EXPECT_GE(found.report.min_transmission_angle, radians(25));
+    EXPECT_TRUE(found.input.coordinate >= 1 && found.input.coordinate < 97);
+  }
+}
+
+// The map shows another linkage of a place where others are required, and it is not said that there is none.
+TEST(PathAnswer, RequirementsChooseAmongTheLinkagesOfAPlace) {
+  const PathTask task = testing::path_case("dough_mixer_five_points").task;
+  Requirements wanted;
+  const PathAnswer any = solved(task, wanted, coarse());
+  wanted.types = {LinkageType::triple_rocker_input};
+  const PathAnswer rocking = solved(task, wanted, coarse());
+  const auto rockers = [](const PathAnswer& answer) {
+    return answer.counts.types[static_cast<std::size_t>(LinkageType::triple_rocker_input)];
+  };
+  EXPECT_GT(rockers(rocking), rockers(any) + 100);
+  EXPECT_GT(rocking.meeting_requirements, 100);
+  for (const FourBarSolution& found : rocking.linkages) EXPECT_EQ(found.report.type, LinkageType::triple_rocker_input);
+}
+
+TEST(PathAnswer, APlaceListsAllThatMeetTheRequirements) {
+  const PathTask task = testing::path_case("dough_mixer_five_points").task;
+  SynthesisOptions options = coarse();
+  options.at = MapPoint{0.5, 0.4};
+  const PathAnswer there = solved(task, {}, options);
+  ASSERT_GT(there.linkages.size(), 1u);
+  EXPECT_EQ(there.fails.size(), there.linkages.size());
+  for (const FourBarSolution& found : there.linkages) {
+    EXPECT_NEAR(found.input.coordinate - std::floor(found.input.coordinate), 0.5, 1e-12);
+    EXPECT_TRUE(found.verified_by_driving);
+    options.at = there.point_of(found);
+    const PathAnswer alone = solved(task, {}, options);
+    ASSERT_EQ(alone.linkages.size(), 1u);
+    EXPECT_EQ(alone.linkages.front().four_bar.output_fixed, found.four_bar.output_fixed);
+  }
+}
+
+TEST(PathAnswer, BothPivotsLeaveAMapOfArms) {
+  const PathTask task = testing::path_case("wiper_pivots_three_points").task;
+  const PathAnswer answer = solved(task, {}, coarse());
+  ASSERT_EQ(answer.linkages.size(), 10u);
+  for (const FourBarSolution& found : answer.linkages) {
+    EXPECT_LT(std::abs(found.four_bar.input_fixed - *task.pivots.input), 1e-9);
+    EXPECT_LT(std::abs(found.four_bar.output_fixed - *task.pivots.output), 1e-9);
+    EXPECT_TRUE(found.verified_by_driving);
+    EXPECT_EQ(found.path->elbows.size(), 3u);
+  }
+}
+
+TEST(PathAnswer, AnArmOfTheOutputLinkIsDrivenByTheOther) {
+  PathTask task = testing::path_case("dough_mixer_five_points").task;
+  std::swap(task.pivots.input, task.pivots.output);
+  const PathAnswer answer = solved(task, {}, coarse());
+  ASSERT_FALSE(answer.linkages.empty());
+  for (const FourBarSolution& found : answer.linkages) {
+    EXPECT_EQ(found.four_bar.output_fixed, *task.pivots.output);
+    EXPECT_TRUE(found.verified_by_driving);
+    EXPECT_LT(found.path->position_error, 1e-9 * answer.characteristic_length);
+  }
 }
 
 }  // namespace

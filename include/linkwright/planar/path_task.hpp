@@ -1,5 +1,6 @@
 #pragma once
 
+#include <algorithm>
 #include <optional>
 #include <vector>
 
@@ -35,28 +36,44 @@ struct PathPoint {
   friend bool operator==(const PathPoint&, const PathPoint&) = default;
 };
 
-/// Path generation: a point of the coupler of a planar four-bar shall pass these places, in this order, while the crank
-/// is at the angles given. Four or five positions, in any pattern from P-P-P-P to PPPPP.
+/// Ground pivots that a task gives, fixed frame, user's unit.
+struct GroundPivots {
+  std::optional<Point> input, output;
+
+  [[nodiscard]] int count() const { return (input ? 1 : 0) + (output ? 1 : 0); }
+  friend bool operator==(const GroundPivots&, const GroundPivots&) = default;
+};
+
+/// Path generation: a point of the coupler of a planar four-bar shall pass these places, in this order. Either the
+/// crank is given at all of them: four or five positions, in any pattern from P-P-P-P to PPPPP. Or at none, and ground
+/// pivots are: one with five positions, both with three.
 struct PathTask {
   static constexpr const LinkageClass& linkages = path_linkages;
   static constexpr OutputKind output = OutputKind::point;
 
   std::vector<PathPoint> points;
+  GroundPivots pivots;
+
+  /// The crank is given at some point; without mistakes: at all.
+  [[nodiscard]] bool is_timed() const {
+    return std::any_of(points.begin(), points.end(), [](const PathPoint& point) { return point.input.has_value(); });
+  }
 
   friend bool operator==(const PathTask&, const PathTask&) = default;
 };
 
-/// The caller's mistakes: number of positions, points without an angle of the crank, numbers that are not finite or too
-/// large, a crank that stands or turns back at a derivative, equal angles, angles that do not go one way within one
-/// turn. Places are `task.points[i]…` (i from 0). Empty when the task can be solved.
+/// The caller's mistakes: number of positions, points without an angle of the crank, nothing that is given beside
+/// points, numbers that are not finite or too large, a crank that stands or turns back at a derivative, equal angles,
+/// angles that do not go one way within one turn, points at pivots, pivots at one place. Places are `task.points[i]…`
+/// (i from 0) and `task.given.ground_pivots…`. Empty when the task can be solved.
 [[nodiscard]] std::vector<Error> mistakes_in(const PathTask& task);
 
-/// In which sense the crank of a task without mistakes turns: 1 counter-clockwise, −1 clockwise.
+/// In which sense the crank of a timed task without mistakes turns: 1 counter-clockwise, −1 clockwise.
 [[nodiscard]] double crank_sense(const PathTask& task);
 
-/// A body that turns with the crank of a task without mistakes and is carried by its point: origin at the points, angle
-/// of the crank from the first one on, with the derivatives of both. Every dyad of these poses is a crank of the task
-/// (docs/theory/path.md).
+/// A body that turns with the crank of a timed task without mistakes and is carried by its point: origin at the points,
+/// angle of the crank from the first one on, with the derivatives of both. Every dyad of these poses is a crank of the
+/// task (docs/theory/path.md).
 [[nodiscard]] std::vector<PrescribedPose> crank_poses(const PathTask& task);
 
 }  // namespace linkwright

@@ -2,6 +2,7 @@
 
 #include <optional>
 #include <span>
+#include <string>
 #include <vector>
 
 #include "linkwright/mechanism/four_bar.hpp"
@@ -9,16 +10,18 @@
 
 namespace linkwright {
 
-/// How a four-bar carries a point of its coupler through places at given angles of its crank, the input; fixed frame,
-/// user's unit.
+/// How a four-bar carries a point of its coupler through places as its crank, the input, turns; fixed frame, user's
+/// unit.
 struct TimedPath {
   Point point{};                ///< in position 1
-  std::vector<double> input;    ///< turns of the crank from position 1 to the points, radians, as given
+  std::vector<double> input;    ///< turns of the crank from position 1 to the points, radians
   std::vector<double> coupler;  ///< turns of the coupler, radians in (−π, π]
   /// The other four-bar with the same path and timing, its input a crank that turns with this one; in position 1.
-  FourBar cognate;
+  /// Nothing where the task does not time the path.
+  std::optional<FourBar> cognate;
   double cognate_size = 1;            ///< length of its crank over that of this one
   bool full_turn = false;             ///< the crank turns fully: the path is closed
+  std::string elbows;                 ///< as PathFamily::elbows_at()
   std::optional<bool> circuit_order;  ///< along the circuit, either way round, the points come as they are listed;
                                       ///< nothing where they lie on different circuits
   // By driving (drive_along_path), where the crank got there.

@@ -54,6 +54,9 @@ enum class AxisQuantity {
   circle_y,        ///< the same, in position 1
   center_on_line,  ///< place on the line of ground pivots, from its point on
   circle_on_line,  ///< the same of moving pivots
+  // Of paths, of all arms that reach the points from a given pivot.
+  arm_reach,       ///< largest distance of a point over the sum of link and arm, in (0, 1]
+  arm_difference,  ///< difference of arm and link over the least distance, in [−1, 1]
 };
 /// "curve_coordinate", "side_direction", …
 [[nodiscard]] std::string_view name(AxisQuantity quantity);
@@ -79,6 +82,9 @@ struct AxisStretch {
 struct MapAxis {
   AxisQuantity quantity = AxisQuantity::curve_coordinate;
   std::vector<CurveBranch> branches;
+  /// Several linkages may stand at a place, in layers: on the branch there is the best of them, and layer k has the
+  /// coordinates of [k, k + 1), k ≥ 1. Such an axis has one branch.
+  int layers = 0;
 
   /// End of the range of the coordinate; 0 without branches.
   [[nodiscard]] double coordinate_length() const { return branches.empty() ? 0 : branches.back().to; }
@@ -86,7 +92,8 @@ struct MapAxis {
   [[nodiscard]] bool is_closed() const {
     return quantity == AxisQuantity::curve_coordinate || quantity == AxisQuantity::side_direction;
   }
-  /// The coordinate on the axis: wrapped where branches close. Elsewhere beyond its ends there is nothing.
+  /// The coordinate on the axis: wrapped where branches close, of a layer where its place is. Elsewhere beyond its ends
+  /// there is nothing.
   [[nodiscard]] double onto(double coordinate) const;
   /// Every place of a branch is the same.
   [[nodiscard]] bool is_discrete() const {

@@ -57,6 +57,8 @@ inline constexpr Measure contact_coefficient{"contact_coefficient"};
 inline constexpr Measure tolerance_error{.key = "tolerance_error", .is_added = true};
 /// Share of sampled linkages that assemble and keep the limit in all positions; NaN where it is not computed.
 inline constexpr Measure yield{.key = "yield", .larger_is_better = true, .is_added = true};
+/// Of several linkages at a place the one that is shown, by the number of its layer, from 1.
+inline constexpr Measure layer{"layer"};
 /// Angle that the driver turns from the first to the last position; every map computes it, none keeps it.
 inline constexpr Measure driver_sweep{"driver_sweep_deg"};
 }  // namespace measures

@@ -118,6 +118,8 @@ std::string_view place_name(const FourBarFamily& family) {
       return "ground pivot, x and y";
     case AxisQuantity::circle_x:
       return "moving pivot, x and y";
+    case AxisQuantity::arm_difference:
+      return "sum and difference of the arm, u and v";
     case AxisQuantity::center_on_line:
     case AxisQuantity::circle_on_line:
       return "places of the pivots on the line";

@@ -25,6 +25,7 @@ namespace linkwright {
 // Of a session.
 
 [[nodiscard]] bool serves(const MotionAnswer& known, const Problem& before, const Problem& now);
+[[nodiscard]] bool serves(const PathAnswer& known, const Problem& before, const Problem& now);
 [[nodiscard]] Requirements with_defaults(Requirements wanted, const FourBarAnswer& known);
 [[nodiscard]] Notice nothing_on_map(const FourBarAnswer& known, const RegionMap& map);
 [[nodiscard]] LinkPolygon links_along(const FourBarAnswer& known, Side side);
@@ -33,6 +34,7 @@ namespace linkwright {
 [[nodiscard]] std::vector<double> coordinates_of(const FourBarAnswer& known, const LinkageFamily& family,
                                                  const MapRequest& request, const ShownAxis& shown, Side side);
 [[nodiscard]] int live_samples(const FunctionAnswer& known, int asked);
+[[nodiscard]] int live_samples(const PathAnswer& known, int asked);
 [[nodiscard]] std::vector<MissedBox> boxes_missed(const FourBarAnswer& known);
 bool write_property(const MotionAnswer& known, const ColouredMap& map, std::string_view property,
                     std::span<float> values);

@@ -152,15 +152,42 @@ AxisLabel axis_label(const FunctionAnswer& answer, Side side, std::string_view /
   return generator_axis_label(axis_of(answer, side), side, answer.task);
 }
 
+namespace {
+
+std::string given_words(const PathTask& task) {
+  const auto& [input, output] = task.pivots;
+  if (input && output) return fmt::format("ground pivots {} and {}", point_words(*input), point_words(*output));
+  return fmt::format("ground pivot of the {} link {}", name(input ? Side::input : Side::output),
+                     point_words(input ? *input : *output));
+}
+
+}  // namespace
+
 std::string label_of(const PathTask& task) {
-  return fmt::format("path through {} at given crank angles ({})", positions_text(position_count(task.points)),
+  return fmt::format("path through {} {} ({})", positions_text(position_count(task.points)),
+                     task.is_timed() ? "at given crank angles" : "with given " + given_words(task),
                      pattern(task.points));
 }
 std::string short_label_of(const PathTask& task) {
   return fmt::format("path through {}", positions_text(position_count(task.points)));
 }
 
+namespace {
+
+AxisLabel arm_axis_label(const PathAnswer& answer, MapAxis axis) {
+  const bool is_other = answer.task.pivots.input.has_value();
+  const std::string_view link = is_other ? "crank" : "output link";
+  if (axis.quantity == AxisQuantity::arm_reach)
+    return {fmt::format("farthest point over {} and arm", link), fmt::format("Farthest point / ({} + arm), u", link),
+            "1", name(axis.quantity), std::move(axis.branches)};
+  return {fmt::format("arm less {} over nearest point", link), fmt::format("(Arm − {}) / nearest point, v", link), "1",
+          name(axis.quantity), std::move(axis.branches)};
+}
+
+}  // namespace
+
 AxisLabel axis_label(const PathAnswer& answer, Side side, std::string_view /*length_unit*/) {
+  if (!answer.task.is_timed()) return arm_axis_label(answer, axis_of(answer, side));
   MapAxis axis = axis_of(answer, side);
   const bool drives = side == Side::input, are_few = axis.quantity == AxisQuantity::burmester_point;
   const std::string_view link = drives ? "crank" : "crank of the cognate", title = drives ? "Crank" : "Cognate's crank";

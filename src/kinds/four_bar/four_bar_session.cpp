@@ -8,6 +8,8 @@ namespace {
 
 // Of a map with a curve of its own to each column.
 constexpr int most_samples_over_a_free_parameter = 500;
+// Of a map with some ten linkages to be solved and judged at each place.
+constexpr int most_samples_over_arms = 240;
 
 // With a free parameter the curve is another at each value of it.
 bool lies_along_its_curve(const TaskFamily& given, Side side) {
@@ -47,6 +49,10 @@ std::vector<int> passed_positions(const TaskFamily& given, std::size_t count) {
 
 bool serves(const MotionAnswer& known, const Problem& /*before*/, const Problem& /*now*/) {
   return !known.task.given;  // what is given may leave a length, which is chosen by the requirements
+}
+
+bool serves(const PathAnswer& known, const Problem& /*before*/, const Problem& /*now*/) {
+  return known.task.is_timed();  // of several linkages at a place the requirements choose
 }
 
 Requirements with_defaults(Requirements wanted, const FourBarAnswer& known) {
@@ -100,6 +106,10 @@ std::vector<double> coordinates_of(const FourBarAnswer& known, const LinkageFami
   if (is_whole && !shown.axis.is_discrete() && lies_along_its_curve(known.given, side))
     return shown.order.samples(*known.given.curve, request.samples);
   return coordinates_of(static_cast<const Findings&>(known), family, request, shown, side);
+}
+
+int live_samples(const PathAnswer& known, int asked) {
+  return known.task.is_timed() ? asked : std::min(asked, most_samples_over_arms);
 }
 
 int live_samples(const FunctionAnswer& known, int asked) {

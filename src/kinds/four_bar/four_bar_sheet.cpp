@@ -20,6 +20,8 @@ using namespace solution_sheet;
 constexpr PixelBox region_card{836, 84, 580, 664};
 
 std::string_view region_heading(const LinkageFamily* family) {
+  if (family != nullptr && family->axis(Side::input).layers > 0)
+    return "Solution region: every point is the best of its place";
   if (is_board(family))
     return is_ribbon(family) ? "Solution region: every cell is one four-bar"
                              : "Solution region: every cell is a pair of dyads";

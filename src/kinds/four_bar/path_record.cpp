@@ -30,17 +30,18 @@ void link_field(FieldVisitor& v, std::string_view key, Point center, Point circl
 void cognate_field(FieldVisitor& v, const std::optional<TimedPath>& of) {
   const TimedPath none;
   const TimedPath& path = of ? *of : none;
-  const FourBar& bars = path.cognate;
+  const FourBar bars = path.cognate.value_or(FourBar{});
   const Object described = {"timed_cognate",
                             "The other four-bar with the same path and timing; fixed frame, position 1. null: at "
                             "infinity."};
-  v.member(Field("cognate", "Paths.").written(of.has_value()), false, [&](FieldVisitor& at) {
-    at.object(described, [&](FieldVisitor& to) {
-      link_field(to, "input", bars.input_fixed, bars.input_moving);
-      link_field(to, "output", bars.output_fixed, bars.output_moving);
-      to.shown(Field("size_ratio", "Its crank over this one."), path.cognate_size, forms::not_negative);
-    });
-  });
+  v.member(Field("cognate", "Paths at given angles of the crank.").written(of && of->cognate), false,
+           [&](FieldVisitor& at) {
+             at.object(described, [&](FieldVisitor& to) {
+               link_field(to, "input", bars.input_fixed, bars.input_moving);
+               link_field(to, "output", bars.output_fixed, bars.output_moving);
+               to.shown(Field("size_ratio", "Its crank over this one."), path.cognate_size, forms::not_negative);
+             });
+           });
 }
 
 /// A crank as one builds it, and as a dyad.
@@ -93,11 +94,15 @@ void path_fields(FieldVisitor& v, const FourBarSolution& found) {
   const TimedPath& path = is ? *found.path : none;
   v.shown_if_any(Field("point", "Paths: the point of the coupler in position 1."), forms::where(is, path.point),
                  forms::shown_point);
-  v.shown_if_any(Field("input_deg_at_points", "Paths: turns of the crank from position 1, as given."),
+  v.shown_if_any(Field("input_deg_at_points", "Paths: turns of the crank from position 1."),
                  forms::where(is, degrees_of_all(path.input)), forms::on_a_line, Number{});
   v.shown_if_any(Field("theta_deg_at_points", "Paths: turns of the coupler from position 1, in (-180, 180]."),
                  forms::where(is, degrees_of_all(path.coupler)), forms::on_a_line, Number{});
   cognate_field(v, found.path);
+  v.shown_if_any(Field("elbows",
+                       "Paths through points alone: on which side of the line from the given pivot to each point the "
+                       "elbow of the arm stands, + left or - right, and which of the further dyads."),
+                 forms::where(is && !path.elbows.empty(), path.elbows));
   v.shown_if_any(Field("full_turn", "Paths: the crank turns fully, so that the path is closed."),
                  forms::where(is, path.full_turn));
   std::optional<bool> in_order = path.circuit_order;
@@ -109,7 +114,7 @@ void path_fields(FieldVisitor& v, const FourBarSolution& found) {
              in_order);
   v.shown_if_any(Field("position_error",
                        "Paths, free of defects: by driving, the largest distance of the point from where it is to be "
-                       "with the crank as given."),
+                       "with the crank so far."),
                  forms::where(was_driven, path.position_error), forms::not_negative);
   v.shown_if_any(Field("timing_error_deg",
                        "Paths, free of defects: by driving, the largest turn of the crank from there to where the "

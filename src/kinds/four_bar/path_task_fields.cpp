@@ -24,8 +24,9 @@ static void fields(FieldVisitor& v, PathPoint& point) {
   const Object described = {"path_point", "A place that the point of the coupler is to pass, fixed frame."};
   v.object(described, [&](FieldVisitor& to) {
     forms::coordinates(to, point.point);
-    to.given(Field("input_deg", "Angle of the crank there, counter-clockwise, from any datum."), point.input,
-             forms::degrees);
+    to.given(
+        Field("input_deg", "Angle of the crank there, counter-clockwise, from any datum; at every point or at none."),
+        point.input, forms::degrees);
     to.optional(Field("derivatives",
                       "First, second, … derivatives by any parameter that increases along the task: the direction of "
                       "travel through the point, then its curvature, ….")
@@ -33,6 +34,28 @@ static void fields(FieldVisitor& v, PathPoint& point) {
                 point.derivatives, list);
   });
 }
+
+static void fields(FieldVisitor& v, GroundPivots& pivots) {
+  const Object described = {"path_ground_pivots", "Of both links, or of one of them."};
+  v.object(described, [&](FieldVisitor& to) {
+    to.given("input", pivots.input, forms::point);
+    to.given("output", pivots.output, forms::point);
+  });
+}
+
+namespace {
+
+void given_field(FieldVisitor& v, GroundPivots& pivots) {
+  const Field field = Field("given",
+                            "In place of angles of the crank: one ground pivot with five positions, both with "
+                            "three.")
+                          .written(pivots.count() > 0);
+  v.member(field, false, [&](FieldVisitor& at) {
+    at.object({.name = "path_given"}, [&](FieldVisitor& to) { to.required("ground_pivots", pivots); });
+  });
+}
+
+}  // namespace
 
 void fields(FieldVisitor& v, PathTask& task) {
   const Wanted missing = {"points_in_full", "a list of points {\"x\": …, \"y\": …, \"input_deg\": …}"};
@@ -42,15 +65,17 @@ void fields(FieldVisitor& v, PathTask& task) {
       .code = "path_point_count",
       .sentence = "{count} points are given; five positions are the most that can be solved, remove the others",
       .on_lines = true};
-  const Object described = {"path_task",
-                            "Path generation: a point of the coupler passes four or five places at given angles of "
-                            "the crank, in this order. A point counts as one position, and as one more for each of its "
-                            "derivatives.",
-                            true};
+  const Object described = {
+      "path_task",
+      "Path generation: a point of the coupler passes places in this order: four or five at given "
+      "angles of the crank, or five from a given ground pivot, or three from both. A point counts "
+      "as one position, and as one more for each of its derivatives.",
+      true};
   v.object(described, [&](FieldVisitor& to) {
     to.constant("kind", "path");
     to.constant("mechanism", "four_bar");
     to.required(Field("points").missing(missing), task.points, points);
+    given_field(to, task.pivots);
     to.check([&] { return mistakes_in(task); });
   });
 }

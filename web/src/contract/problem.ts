@@ -321,16 +321,26 @@ export interface PathDerivative {
 export interface PathPoint {
   x: number;
   y: number;
-  /** Angle of the crank there, counter-clockwise, from any datum. */
+  /** Angle of the crank there, counter-clockwise, from any datum; at every point or at none. */
   input_deg?: number;
   /** First, second, … derivatives by any parameter that increases along the task: the direction of travel through the point, then its curvature, …. */
   derivatives?: readonly PathDerivative[];
 }
-/** Path generation: a point of the coupler passes four or five places at given angles of the crank, in this order. A point counts as one position, and as one more for each of its derivatives. */
+/** Of both links, or of one of them. */
+export interface PathGroundPivots {
+  input?: readonly [number, number];
+  output?: readonly [number, number];
+}
+export interface PathGiven {
+  ground_pivots: PathGroundPivots;
+}
+/** Path generation: a point of the coupler passes places in this order: four or five at given angles of the crank, or five from a given ground pivot, or three from both. A point counts as one position, and as one more for each of its derivatives. */
 export interface PathTask {
   kind: "path";
   mechanism: "four_bar";
   points: readonly PathPoint[];
+  /** In place of angles of the crank: one ground pivot with five positions, both with three. */
+  given?: PathGiven;
 }
 /** What the linkage is for. */
 export type Task = MotionTask | FunctionTask | SixBarTask | SphericalMotionTask | SphericalFunctionTask | StraightLineTask | PathTask;

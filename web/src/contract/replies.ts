@@ -45,7 +45,7 @@ export interface CurveKinds {
   /** Of the two curves as (point, direction), where they have one. */
   asymptotes: Asymptotes | null;
 }
-export const axis_quantities = ["curve_coordinate","burmester_point","side_direction","side_length","output_scale","pair_output","nothing","link_direction","link_ray","point_ray","pole_height","pivot_height","frame_height","pivot_distance","output_arm","link_length","crank_length","point_arm","crank_range","center_x","center_y","circle_x","circle_y","center_on_line","circle_on_line"] as const;
+export const axis_quantities = ["curve_coordinate","burmester_point","side_direction","side_length","output_scale","pair_output","nothing","link_direction","link_ray","point_ray","pole_height","pivot_height","frame_height","pivot_distance","output_arm","link_length","crank_length","point_arm","crank_range","center_x","center_y","circle_x","circle_y","center_on_line","circle_on_line","arm_reach","arm_difference"] as const;
 export type AxisQuantity = (typeof axis_quantities)[number];
 export interface Branch {
   name: string;
@@ -173,6 +173,13 @@ export interface Rates {
   /** By row of the drive, null at dead points: to each body its angular velocity and acceleration (about a centre: of the coupler their magnitudes), then of the plane the point's velocity and acceleration, x and y. */
   rows: readonly (readonly number[] | null)[];
 }
+export interface LayerReply {
+  tau: readonly [number, number];
+  elbows: string;
+  type: LinkageType;
+  /** All requirements. */
+  meets: boolean;
+}
 export interface Tick {
   position: number;
   /** Its row; -1 where the driver does not get there in this assembly. */
@@ -226,6 +233,8 @@ export interface LinkageReply {
   profile?: readonly (readonly [number | null, number | null, number | null, number | null])[];
   /** Of a linkage that is the task. */
   rates?: Rates;
+  /** Of paths through points alone: all linkages at this place of the map, best first. */
+  layers?: readonly LayerReply[];
   /** Null: a slider or zero link. */
   travel: Travel | null;
 }

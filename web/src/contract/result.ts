@@ -330,17 +330,19 @@ export interface FourBar {
   miss?: Miss;
   /** Paths: the point of the coupler in position 1. */
   point?: readonly [number, number];
-  /** Paths: turns of the crank from position 1, as given. */
+  /** Paths: turns of the crank from position 1. */
   input_deg_at_points?: readonly number[];
   /** Paths: turns of the coupler from position 1, in (-180, 180]. */
   theta_deg_at_points?: readonly number[];
-  /** Paths. */
+  /** Paths at given angles of the crank. */
   cognate?: TimedCognate;
+  /** Paths through points alone: on which side of the line from the given pivot to each point the elbow of the arm stands, + left or - right, and which of the further dyads. */
+  elbows?: string;
   /** Paths: the crank turns fully, so that the path is closed. */
   full_turn?: boolean;
   /** Paths: along the circuit of the linkage, either way round, the points come as they are listed; null where they lie on different circuits. */
   circuit_order?: boolean | null;
-  /** Paths, free of defects: by driving, the largest distance of the point from where it is to be with the crank as given. */
+  /** Paths, free of defects: by driving, the largest distance of the point from where it is to be with the crank so far. */
   position_error?: number;
   /** Paths, free of defects: by driving, the largest turn of the crank from there to where the point is nearest. */
   timing_error_deg?: number;

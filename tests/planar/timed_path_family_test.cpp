@@ -1,4 +1,4 @@
-#include "planar/path_family.hpp"
+#include "planar/timed_path_family.hpp"
 
 #include <gtest/gtest.h>
 #include <random>
@@ -10,7 +10,7 @@
 #include "planar/path_drive.hpp"
 #include "support/path_case.hpp"
 
-namespace linkwright::path_family_test {
+namespace linkwright::timed_path_family_test {
 namespace {
 
 RegionMap map_of(const FourBarFamily& family, int samples) {
@@ -26,7 +26,7 @@ RegionMap map_of(const FourBarFamily& family, int samples) {
 void expect_counts_of_case(const std::string& name) {
   const testing::PathCase c = testing::path_case(name);
   const auto& region = c.json.at("region");
-  const TaskFamily given = task_family(c.task);
+  const TaskFamily given = family_of_timed(c.task);
   ASSERT_TRUE(given.paths) << name;
   const RegionMap map = map_of(*given.family, region.at("samples"));
   const RegionCounts found = map.counts();
@@ -44,7 +44,7 @@ void expect_counts_of_case(const std::string& name) {
   EXPECT_EQ(turning, counts.at("full_turn_defect_free")) << name;
 }
 
-TEST(PathFamily, CountsWhatTheCaseFilesCount) {
+TEST(TimedPathFamily, CountsWhatTheCaseFilesCount) {
   expect_counts_of_case("film_claw_timed");
   expect_counts_of_case("dough_mixer_timed_full_turn");
   expect_counts_of_case("thread_takeup_timed_mixed");
@@ -53,7 +53,7 @@ TEST(PathFamily, CountsWhatTheCaseFilesCount) {
 // The linkages at places of the map, to nine digits.
 void expect_linkages_of_case(const std::string& name) {
   const testing::PathCase c = testing::path_case(name);
-  const TaskFamily given = task_family(c.task);
+  const TaskFamily given = family_of_timed(c.task);
   ASSERT_TRUE(given.paths) << name;
   for (const auto& linkage : c.json.at("linkages")) {
     const MapPoint place{linkage.at("input_coordinate"), linkage.at("output_coordinate")};
@@ -84,7 +84,7 @@ void expect_linkages_of_case(const std::string& name) {
   }
 }
 
-TEST(PathFamily, HasTheLinkagesOfTheCaseFiles) {
+TEST(TimedPathFamily, HasTheLinkagesOfTheCaseFiles) {
   expect_linkages_of_case("film_claw_timed");
   expect_linkages_of_case("dough_mixer_timed_full_turn");
   expect_linkages_of_case("thread_takeup_timed_mixed");
@@ -113,7 +113,7 @@ struct Compared {
 // Each cell of the map, which the kernel judged by its virtual loop, beside the verdict over the joints of its linkage
 // in all positions.
 Compared compare_with_joints(const PathTask& task, int samples) {
-  const TaskFamily given = task_family(task);
+  const TaskFamily given = family_of_timed(task);
   EXPECT_TRUE(given.paths);
   const FourBarFamily& family = *given.family;
   const RegionMap map = map_of(family, samples);
@@ -148,7 +148,7 @@ Compared compare_with_joints(const PathTask& task, int samples) {
   return compared;
 }
 
-TEST(PathFamily, TheVirtualLoopHasTheVerdictOfTheJoints) {
+TEST(TimedPathFamily, TheVirtualLoopHasTheVerdictOfTheJoints) {
   std::mt19937_64 random(11);
   Compared all;
   for (int i = 0; i < 32; ++i) {
@@ -164,11 +164,11 @@ TEST(PathFamily, TheVirtualLoopHasTheVerdictOfTheJoints) {
 }
 
 // What the crank does when it is turned, for every third cell of a map.
-TEST(PathFamily, CellsAreCleanWhereTheCrankGetsThroughThePoints) {
+TEST(TimedPathFamily, CellsAreCleanWhereTheCrankGetsThroughThePoints) {
   std::mt19937_64 random(3);
   int compared = 0, passing = 0, differences = 0;
   for (const auto& multiplicity : patterns) {
-    const TaskFamily given = task_family(random_task(random, multiplicity, passing % 2 == 1));
+    const TaskFamily given = family_of_timed(random_task(random, multiplicity, passing % 2 == 1));
     ASSERT_TRUE(given.paths);
     const RegionMap map = map_of(*given.family, 24);
     for (std::size_t cell = 0; cell < map.rows() * map.columns(); cell += 3) {
@@ -178,9 +178,9 @@ TEST(PathFamily, CellsAreCleanWhereTheCrankGetsThroughThePoints) {
       const auto seen = links ? four_bar_of(*links) : std::nullopt;
       if (!seen) continue;
       const FourBar bars = given.frame().to_user(*seen);
-      const Point point = given.paths->crank_poses().front().pose.origin;
+      const Point point = given.paths->crank_poses({}, {}).front().pose.origin;
       const PathDrive drive =
-          drive_along_path(bars, point, given.paths->crank_poses(), 1e-5 * bars.lengths().longest());
+          drive_along_path(bars, point, given.paths->crank_poses({}, {}), 1e-5 * bars.lengths().longest());
       ++compared;
       passing += drive.passes;
       differences += drive.passes != map.defects(cell).none();
@@ -192,8 +192,8 @@ TEST(PathFamily, CellsAreCleanWhereTheCrankGetsThroughThePoints) {
 }
 
 // The transposed map has the cognates: the same but for their size.
-TEST(PathFamily, CognatesDoTheSame) {
-  const TaskFamily given = task_family(testing::path_case("dough_mixer_timed_full_turn").task);
+TEST(TimedPathFamily, CognatesDoTheSame) {
+  const TaskFamily given = family_of_timed(testing::path_case("dough_mixer_timed_full_turn").task);
   const RegionMap map = map_of(*given.family, 40);
   const auto transposed_type = [](LinkageType type) {
     switch (type) {
@@ -220,9 +220,9 @@ TEST(PathFamily, CognatesDoTheSame) {
 }
 
 // A fifth point taken from a linkage of four is passed by that linkage among those of all five.
-TEST(PathFamily, AFifthPointOfALinkageLeavesIt) {
+TEST(TimedPathFamily, AFifthPointOfALinkageLeavesIt) {
   const testing::PathCase c = testing::path_case("film_claw_timed");
-  const TaskFamily four = task_family(c.task);
+  const TaskFamily four = family_of_timed(c.task);
   const auto links = four.family->dyad_pair({0.31, 1.27});
   ASSERT_TRUE(links);
   const FourBar bars = four.frame().to_user(*four_bar_of(*links));
@@ -241,7 +241,7 @@ TEST(PathFamily, AFifthPointOfALinkageLeavesIt) {
     PathTask task = c.task;
     task.points.insert(task.points.begin() + 1, {p, radians(20), {}});
     ASSERT_TRUE(mistakes_in(task).empty());
-    const TaskFamily given = task_family(task);
+    const TaskFamily given = family_of_timed(task);
     ASSERT_TRUE(given.paths);
     EXPECT_EQ(given.family->axis(Side::input).quantity, AxisQuantity::burmester_point);
     const auto places = given.family->samples(Side::input, 0, Spacing::coordinate);
@@ -259,7 +259,7 @@ TEST(PathFamily, AFifthPointOfALinkageLeavesIt) {
 }
 
 // Neither the place of the drawing nor its size nor the sense of turning matters.
-TEST(PathFamily, AMirroredTaskHasMirroredLinkages) {
+TEST(TimedPathFamily, AMirroredTaskHasMirroredLinkages) {
   const testing::PathCase c = testing::path_case("thread_takeup_timed_mixed");
   PathTask mirrored = c.task;
   for (PathPoint& point : mirrored.points) {
@@ -268,7 +268,7 @@ TEST(PathFamily, AMirroredTaskHasMirroredLinkages) {
     for (PathDerivative& d : point.derivatives) d.point = 7.0 * std::conj(d.point);
   }
   ASSERT_TRUE(mistakes_in(mirrored).empty());
-  const TaskFamily one = task_family(c.task), other = task_family(mirrored);
+  const TaskFamily one = family_of_timed(c.task), other = family_of_timed(mirrored);
   const RegionCounts a = map_of(*one.family, 80).counts(), b = map_of(*other.family, 80).counts();
   // The curve's coordinate may run the other way: the samples are the same places or lie between them.
   EXPECT_NEAR(static_cast<double>(a.defect_free), static_cast<double>(b.defect_free), 0.03 * 6400);
@@ -287,13 +287,13 @@ TEST(PathFamily, AMirroredTaskHasMirroredLinkages) {
   }
 }
 
-TEST(PathFamily, TellsDegenerateTasks) {
+TEST(TimedPathFamily, TellsDegenerateTasks) {
   const auto items = testing::path_case("nasty_timed").json.at("items");
   int solved = 0, degenerate = 0;
   for (const auto& item : items) {
     const PathTask task = testing::path_task(item.at("task"));
     if (!mistakes_in(task).empty()) continue;
-    const TaskFamily given = task_family(task);
+    const TaskFamily given = family_of_timed(task);
     const std::string name = item.at("name");
     if (item.at("expect").at("status") == "degenerate") {
       ASSERT_TRUE(given.degeneracy) << name;
@@ -314,11 +314,11 @@ TEST(PathFamily, TellsDegenerateTasks) {
   EXPECT_EQ(solved, 6);
 }
 
-TEST(PathFamily, FivePositionsWithoutACrankSayWhy) {
+TEST(TimedPathFamily, FivePositionsWithoutACrankSayWhy) {
   std::mt19937_64 random(2);
   int without = 0;
   for (int i = 0; i < 40 && without == 0; ++i) {
-    const TaskFamily given = task_family(random_task(random, {1, 1, 1, 1, 1}, false));
+    const TaskFamily given = family_of_timed(random_task(random, {1, 1, 1, 1, 1}, false));
     if (!given.has_no_dyads) continue;
     ++without;
     EXPECT_EQ(given.degeneracy->code, "no_crank");
@@ -328,8 +328,8 @@ TEST(PathFamily, FivePositionsWithoutACrankSayWhy) {
   EXPECT_EQ(without, 1);
 }
 
-TEST(PathFamily, KnowsTheStretchesOfCranksInsideWindows) {
-  const TaskFamily given = task_family(testing::path_case("film_claw_timed").task);
+TEST(TimedPathFamily, KnowsTheStretchesOfCranksInsideWindows) {
+  const TaskFamily given = family_of_timed(testing::path_case("film_claw_timed").task);
   const PivotWindows windows{Box{20, 60, -60, 60}, {}};
   const auto arcs = given.family->arcs_within(Side::input, windows);
   ASSERT_TRUE(arcs);
@@ -344,4 +344,4 @@ TEST(PathFamily, KnowsTheStretchesOfCranksInsideWindows) {
 }
 
 }  // namespace
-}  // namespace linkwright::path_family_test
+}  // namespace linkwright::timed_path_family_test

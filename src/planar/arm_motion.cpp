@@ -1,0 +1,77 @@
+#include "arm_motion.hpp"
+
+#include <cmath>
+#include <numbers>
+
+#include "algebra/binary_form.hpp"
+#include "turned_arm.hpp"
+
+namespace linkwright {
+namespace {
+
+constexpr Point i{0, 1};
+
+// P⁽ᵏ⁾ = known + i (link) φ⁽ᵏ⁾ + i (arm) θ⁽ᵏ⁾, where what is known hangs on the derivatives before.
+ArmMotion::Rates rates_at(const PathJet& jet, Point link, Point arm) {
+  ArmMotion::Rates rates;
+  for (std::size_t k = 1; k < jet.size(); ++k) {
+    rates.link.push_back(0);
+    rates.body.push_back(0);
+    const Point rest = jet[k] - turned_arm(link, 0, rates.link).back() - turned_arm(arm, 0, rates.body).back();
+    const double size = cross(link, arm);
+    rates.link.back() = cross(rest, i * arm) / size;
+    rates.body.back() = cross(i * link, rest) / size;
+  }
+  return rates;
+}
+
+// The m-th derivative of |a + r z − C|²/2 = const as a row; r: derivatives of the turn.
+ConditionRow condition_row(const PathJet& a, std::span<const Point> r, std::size_t m) {
+  double along = 0, across = 0, square = 0;
+  for (std::size_t k = 0; k <= m; ++k) {
+    along += binomial[m][k] * dot(r[k], a[m - k]);
+    across += binomial[m][k] * cross(r[k], a[m - k]);
+    square += binomial[m][k] * dot(a[k], a[m - k]);
+  }
+  const Point q = (m == 0 ? 1.0 : 0.0) - r[m];
+  return {std::numbers::sqrt2 * q.real(),
+          -std::numbers::sqrt2 * q.imag(),
+          along,
+          across,
+          -a[m].real(),
+          -a[m].imag(),
+          square / 2};
+}
+
+}  // namespace
+
+ArmMotion arm_motion(Point pivot, std::span<const PathJet> path, const ArmElbows& elbows, const ElbowPattern& pattern) {
+  ArmMotion motion;
+  bool has_derivatives = false;
+  Point first{};
+  for (std::size_t j = 0; j < path.size(); ++j) {
+    motion.link[j] = elbow(elbows, pattern, j);
+    const Point arm = path[j].front() - pivot - motion.link[j];
+    if (j == 0) first = arm;
+    const Point turn{dot(first, arm), cross(first, arm)};
+    motion.turn[j] = turn / std::norm(first);  // both are the arm
+    has_derivatives = has_derivatives || path[j].size() > 1;
+  }
+  for (std::size_t j = 0; j < path.size() && has_derivatives; ++j)
+    motion.rates.push_back(rates_at(path[j], motion.link[j], path[j].front() - pivot - motion.link[j]));
+  return motion;
+}
+
+ConditionRows condition_rows(std::span<const PathJet> path, const ArmMotion& motion) {
+  ConditionRows rows{};
+  std::size_t count = 0;
+  for (std::size_t j = 0; j < path.size(); ++j) {
+    const auto derived =
+        motion.rates.empty() ? std::vector<Point>{} : turned_arm(motion.turn[j], 0, motion.rates[j].body);
+    const auto turns = derived.empty() ? std::span(&motion.turn[j], 1) : std::span(derived);
+    for (std::size_t m = j == 0 ? 1 : 0; m < path[j].size(); ++m) rows[count++] = condition_row(path[j], turns, m);
+  }
+  return rows;
+}
+
+}  // namespace linkwright

@@ -1,0 +1,336 @@
+#include "planar/arm_family.hpp"
+
+#include <array>
+#include <cmath>
+#include <gtest/gtest.h>
+#include <map>
+#include <random>
+#include <string>
+
+#include "linkwright/core/angle.hpp"
+#include "linkwright/infinitesimal/motion_series.hpp"
+#include "linkwright/mechanism/coupler_curve.hpp"
+#include "linkwright/mechanism/position.hpp"
+#include "linkwright/planar/four_bar_solution.hpp"
+#include "planar/path_drive.hpp"
+#include "support/path_case.hpp"
+
+namespace linkwright::arm_family_test {
+namespace {
+
+/// Nothing is required, so that no elbow is left out.
+Requirements anything() {
+  Requirements wanted;
+  wanted.no_defects = false;
+  wanted.max_link_ratio = wanted.min_length.emplace(0) + Requirements::unlimited;
+  wanted.max_length = Requirements::unlimited;
+  return wanted;
+}
+
+std::shared_ptr<const ArmFamily> arms_of(const PathTask& task, const Requirements& wanted = anything()) {
+  EXPECT_TRUE(mistakes_in(task).empty());
+  return std::make_shared<const ArmFamily>(task, wanted, Objective::min_transmission_angle);
+}
+
+TaskFamily given_by(const std::shared_ptr<const ArmFamily>& family) {
+  TaskFamily given;
+  given.conditions.frame = family->frame();
+  given.family = given.paths = family;
+  return given;
+}
+
+/// Where on the map an arm lies.
+MapPoint place_of(const PathTask& task, double link, double reach) {
+  const Point pivot = task.pivots.input ? *task.pivots.input : *task.pivots.output;
+  double nearest = std::numeric_limits<double>::infinity(), farthest = 0;
+  for (const PathPoint& point : task.points) {
+    nearest = std::min(nearest, std::abs(point.point - pivot));
+    farthest = std::max(farthest, std::abs(point.point - pivot));
+  }
+  return {farthest / (link + reach), ((reach - link) / nearest + 1) / 2};
+}
+
+double off(const FourBar& a, const FourBar& b) {
+  return std::max({std::abs(a.input_fixed - b.input_fixed), std::abs(a.input_moving - b.input_moving),
+                   std::abs(a.output_fixed - b.output_fixed), std::abs(a.output_moving - b.output_moving)});
+}
+
+FourBar nearest_of(const std::vector<Cell>& cells, const FourBar& wanted) {
+  FourBar nearest{};
+  double least = std::numeric_limits<double>::infinity();
+  for (const Cell& cell : cells) {
+    const FourBar bars = four_bar_of(cell.pivots);
+    if (off(bars, wanted) < least) {
+      least = off(bars, wanted);
+      nearest = bars;
+    }
+  }
+  return nearest;
+}
+
+void expect_verdict(const FourBarSolution& made, const nlohmann::json& linkage) {
+  EXPECT_EQ(linkwright::name(made.report.type), linkage.at("type").get<std::string>());
+  EXPECT_EQ(made.report.defects.order(), linkage.at("defects").at("order").get<bool>());
+  EXPECT_EQ(made.report.defects.branch(), linkage.at("defects").at("branch").get<bool>());
+  EXPECT_EQ(made.report.defects.circuit(), linkage.at("defects").at("circuit").get<bool>());
+  if (!made.report.defects.none()) return;
+  EXPECT_NEAR(degrees(made.report.min_transmission_angle), linkage.at("min_transmission_angle_deg"), 1e-7);
+}
+
+// The linkages at places of the map, by an independent implementation with 40 digits: all of them, and no other.
+void expect_linkages_of_case(const std::string& name) {
+  const testing::PathCase c = testing::path_case(name);
+  const auto family = arms_of(c.task);
+  const TaskFamily given = given_by(family);
+  std::map<int, std::vector<Cell>> found;
+  const auto& places = c.json.at("places");
+  for (std::size_t i = 0; i < places.size(); ++i)
+    found[static_cast<int>(i) + 1] = family->all_at(place_of(c.task, places[i].at("w"), places[i].at("zl")), true);
+  std::map<int, std::size_t> counted;
+  for (const auto& linkage : c.json.at("linkages")) {
+    const int place = linkage.at("place");
+    ++counted[place];
+    const FourBar wanted = testing::bars_of(linkage);
+    EXPECT_LT(off(nearest_of(found[place], wanted), wanted), 1e-8 * wanted.lengths().longest()) << name;
+  }
+  for (const auto& [place, cells] : found) {
+    EXPECT_EQ(cells.size(), counted[place]) << name;
+    for (const Cell& cell : cells) {
+      const auto made = make_four_bar(given, cell.place, true, true);
+      ASSERT_TRUE(made);
+      EXPECT_TRUE(made->verified_by_driving);
+      EXPECT_LT(made->residual, 1e-9);
+      for (const auto& linkage : c.json.at("linkages"))
+        if (off(testing::bars_of(linkage), made->four_bar) < 1e-8 * made->lengths.longest())
+          expect_verdict(*made, linkage);
+    }
+  }
+}
+
+TEST(ArmFamily, HasAllLinkagesOfTheCaseFiles) {
+  expect_linkages_of_case("dough_mixer_five_points");
+  expect_linkages_of_case("wiper_pivots_three_points");
+}
+
+// ---- there and back -------------------------------------------------------------------------------------------------
+
+double in(std::mt19937_64& random, double low, double high) {
+  return std::uniform_real_distribution<double>(low, high)(random);
+}
+
+/// A linkage, its point, and a task that it does.
+struct Known {
+  FourBar bars;
+  Point point{};
+  PathTask task;
+};
+
+PathPoint prescribed(const FourBar& there, Point point, int multiplicity) {
+  PathPoint at{point, std::nullopt, {}};
+  const auto loop = loop_series(there);
+  if (!loop) return at;
+  const auto path = coupler_motion(there, *loop).path_of(point);
+  double factorial = 1;
+  for (int m = 1; m < multiplicity; ++m) {
+    factorial *= m;
+    at.derivatives.push_back({factorial * path.c[static_cast<std::size_t>(m)], std::nullopt});
+  }
+  return at;
+}
+
+Known random_known(std::mt19937_64& random, const std::vector<int>& pattern, bool input, bool output) {
+  Known known;
+  const Point shift{in(random, -50, 50), in(random, -50, 50)};
+  const auto place = [&] { return shift + Point{in(random, -3, 3), in(random, -3, 3)}; };
+  const FourBar any{place(), place(), place(), place()};
+  const Point point = place();
+  const Point along = (point - any.input_moving) / (any.output_moving - any.input_moving);
+  const auto ranges = input_ranges(any.lengths());
+  const Assembly assembly = assembly_of(any);
+  std::vector<double> angles;
+  for (std::size_t j = 0; j < pattern.size(); ++j) angles.push_back(in(random, 0.05, 0.95));
+  std::sort(angles.begin(), angles.end());
+  for (std::size_t j = 0; j < pattern.size(); ++j) {
+    const AngleRange& range = ranges.front();
+    const double angle = range.from + (range.to - range.from) * angles[j];
+    const FourBar there = placed(any, assemble(any.lengths(), angle, assembly).value());
+    if (j == 0) known.bars = there;
+    const Point at = there.input_moving + along * (there.output_moving - there.input_moving);
+    if (j == 0) known.point = at;
+    known.task.points.push_back(prescribed(there, at, pattern[j]));
+  }
+  if (input) known.task.pivots.input = any.input_fixed;
+  if (output) known.task.pivots.output = any.output_fixed;
+  return known;
+}
+
+double relative_error(const Known& known) {
+  const bool by_input = known.task.pivots.input.has_value();
+  const FourBar& bars = known.bars;
+  const double link = by_input ? bars.lengths().input : bars.lengths().output;
+  const double reach = std::abs(known.point - (by_input ? bars.input_moving : bars.output_moving));
+  const auto cells = arms_of(known.task)->all_at(place_of(known.task, link, reach), false);
+  return off(nearest_of(cells, bars), bars) / bars.lengths().longest();
+}
+
+void expect_found(const std::vector<int>& pattern, bool input, bool output) {
+  std::mt19937_64 random(20131);
+  int close = 0;
+  constexpr int tasks = 30;
+  std::vector<double> errors;
+  for (int i = 0; i < tasks; ++i) {
+    errors.push_back(relative_error(random_known(random, pattern, input, output)));
+    close += errors.back() < 1e-6;
+  }
+  std::sort(errors.begin(), errors.end());
+  EXPECT_GE(close, tasks - 1) << ::testing::PrintToString(pattern);  // points so close that digits are lost
+  EXPECT_LT(errors[tasks / 2], 1e-11) << ::testing::PrintToString(pattern);
+}
+
+TEST(ArmFamily, FindsTheLinkageThatDrewThePoints) {
+  for (const bool of_input : {true, false})
+    for (const std::vector<int>& pattern : std::vector<std::vector<int>>{
+             {1, 1, 1, 1, 1}, {2, 1, 1, 1}, {1, 1, 2, 1}, {2, 1, 2}, {3, 1, 1}, {1, 3, 1}, {3, 2}, {4, 1}, {5}})
+      expect_found(pattern, of_input, !of_input);
+  for (const std::vector<int>& pattern : std::vector<std::vector<int>>{{1, 1, 1}, {2, 1}, {1, 2}, {3}})
+    expect_found(pattern, true, true);
+}
+
+// ---- laws -----------------------------------------------------------------------------------------------------------
+
+const PathTask& mixer() {
+  static const PathTask task = testing::path_case("dough_mixer_five_points").task;
+  return task;
+}
+
+TEST(ArmFamily, EveryPatternHasOneOrThree) {
+  std::mt19937_64 random(7);
+  const auto family = arms_of(mixer());
+  for (int i = 0; i < 200; ++i) {
+    std::map<int, int> of_pattern;
+    for (const Cell& cell : family->all_at({in(random, 0.02, 0.99), in(random, 0.01, 0.99)}, true))
+      ++of_pattern[(static_cast<int>(cell.place.input) - 1) / 3];
+    for (const auto& [pattern, count] : of_pattern) EXPECT_TRUE(count == 1 || count == 3) << pattern;
+    EXPECT_EQ(of_pattern.size(), 32u);
+  }
+}
+
+// Arm and crank exchanged, the elbows on the other sides: the cognate on the same pivot and on C0.
+TEST(ArmFamily, CognatesStandOnTheOtherSide) {
+  std::mt19937_64 random(11);
+  const auto family = arms_of(mixer());
+  for (int i = 0; i < 50; ++i) {
+    const MapPoint place{in(random, 0.05, 0.95), in(random, 0.05, 0.95)};
+    const std::vector<Cell> one = family->all_at(place, true);
+    const std::vector<Cell> other = family->all_at({place.input, 1 - place.output}, true);
+    EXPECT_EQ(one.size(), other.size());
+    for (const Cell& cell : one) {
+      const FourBar bars = four_bar_of(cell.pivots);
+      const Point point = mixer().points.front().point;
+      const Point similar = (point - bars.input_moving) / (bars.output_moving - bars.input_moving);
+      const Point center = bars.input_fixed + similar * (bars.output_fixed - bars.input_fixed);
+      double least = std::numeric_limits<double>::infinity();
+      for (const Cell& there : other)
+        least = std::min(least, std::abs(four_bar_of(there.pivots).output_fixed - center));
+      EXPECT_LT(least, 1e-6 * (1 + std::abs(center)));
+    }
+  }
+}
+
+// Whatever stands at a place, the cell shows the best of it.
+TEST(ArmFamily, ACellShowsTheBestOfItsPlace) {
+  Requirements wanted = with_default_lengths({}, arms_of(mixer())->frame().scale);
+  wanted.full_turn = true;
+  const auto best = arms_of(mixer(), wanted), all = arms_of(mixer());
+  const CellJudge judge(wanted, path_linkages, best->measures());
+  RegionMap map;
+  const auto samples = best->samples(Side::input, 24, Spacing::coordinate);
+  best->classify(map, samples, samples, true);
+  int passing = 0;
+  for (std::size_t row = 0; row < samples.size(); ++row)
+    for (std::size_t column = 0; column < samples.size(); ++column) {
+      double angle = -1;
+      for (const Cell& cell : all->all_at({samples[row], samples[column]}, true))
+        if (judge.passes(cell)) angle = std::max(angle, cell.values[0]);
+      const std::size_t cell = map.index(row, column);
+      const auto shown = best->cell({samples[row], samples[column]});
+      ASSERT_TRUE(shown);
+      EXPECT_EQ(judge.passes(*shown), angle >= 0);
+      EXPECT_EQ(map.type(cell), shown->type);
+      EXPECT_EQ(map.defects(cell), shown->defects);
+      if (angle < 0) continue;
+      ++passing;
+      EXPECT_NEAR(shown->values[0], angle, 1e-12);
+      EXPECT_NEAR(map.values(measures::min_transmission_angle)[cell], angle, 1e-6);
+    }
+  EXPECT_GT(passing, 100);
+}
+
+// The verdict of a cell against turning the crank of its four pivots.
+TEST(ArmFamily, CellsAreCleanWhereTheCrankPassesThePoints) {
+  const auto family = arms_of(mixer());
+  std::mt19937_64 random(5);
+  int clean = 0;
+  for (int i = 0; i < 25; ++i)
+    for (const Cell& cell : family->all_at({in(random, 0.05, 0.95), in(random, 0.05, 0.95)}, true)) {
+      if (!cell.defects.none()) continue;
+      ++clean;
+      const FourBar bars = four_bar_of(cell.pivots);
+      const PathDrive drive = drive_along_path(bars, mixer().points.front().point,
+                                               family->crank_poses(cell.place, bars), 1e-6 * family->frame().scale);
+      EXPECT_TRUE(drive.passes);
+      EXPECT_EQ(drive.turns_fully, input_is_crank(cell.type));
+    }
+  EXPECT_GT(clean, 30);
+}
+
+TEST(ArmFamily, InstructionSetsAgreeToTheBit) {
+  const auto family = arms_of(mixer());
+  const auto samples = family->samples(Side::input, 20, Spacing::coordinate);
+  RegionMap reference;
+  RegionOptions options;
+  options.simd = Simd::scalar;
+  family->classify(reference, samples, samples, true, options);
+  for (const Simd simd : {Simd::baseline, Simd::avx2, Simd::avx512}) {
+    if (!is_supported(simd)) continue;
+    RegionMap map;
+    options.simd = simd;
+    family->classify(map, samples, samples, true, options);
+    for (const Measure& measure : family->measures()) {
+      const auto one = reference.values(measure), other = map.values(measure);
+      EXPECT_TRUE(std::equal(one.begin(), one.end(), other.begin())) << name(simd) << measure.key;
+    }
+  }
+}
+
+TEST(ArmFamily, AMovedTaskHasMovedLinkages) {
+  const PathTask task = mixer();
+  PathTask moved = task;
+  const Point turn = 7.0 * direction(1.1), shift{300, -200};
+  const auto move = [&](Point p) { return turn * p + shift; };
+  for (PathPoint& point : moved.points) point.point = move(point.point);
+  moved.pivots.input = move(*task.pivots.input);
+  const auto one = arms_of(task)->all_at({0.6, 0.4}, true), other = arms_of(moved)->all_at({0.6, 0.4}, true);
+  ASSERT_EQ(one.size(), other.size());
+  for (const Cell& cell : one) {
+    const FourBar bars = four_bar_of(cell.pivots);
+    const FourBar wanted{move(bars.input_fixed), move(bars.input_moving), move(bars.output_fixed),
+                         move(bars.output_moving)};
+    EXPECT_LT(off(nearest_of(other, wanted), wanted), 1e-8 * wanted.lengths().longest());
+  }
+}
+
+TEST(ArmFamily, APointThatComesTwiceTakesBothElbows) {
+  PathTask task = mixer();
+  task.points[4].point = task.points[1].point;
+  const auto family = arms_of(task);
+  const auto cells = family->all_at({0.5, 0.5}, true);
+  EXPECT_FALSE(cells.empty());
+  for (const Cell& cell : cells) {
+    const int pattern = (static_cast<int>(cell.place.input) - 1) / 3;
+    EXPECT_NE((pattern >> 1) & 1, (pattern >> 4) & 1);
+  }
+}
+
+}  // namespace
+}  // namespace linkwright::arm_family_test
