@@ -49,14 +49,27 @@ export function poses_are_wanted({incomplete, problem}: Bench["workbench"]): boo
 }
 /** A click on the canvas of such a task. */
 export function add_position({workbench, scene}: Bench, at: Point): void {
-  const [x, y] = scene.space.unproject(at),
-    snap = (value: number) => multiple(value, scene.snap_step ?? 10 ** Math.floor(Math.log10(scene.space.step / 8)));
-  const last = scene.poses.at(-1);
+  const [x, y] = clicked_place(scene, at),
+    last = scene.poses.at(-1);
   scene.touched = true;
   workbench.edit((problem) =>
-    with_poses(problem, [...poses_of(problem.task), {x: snap(x), y: snap(y), theta_deg: last?.theta_deg ?? 0}]),
+    with_poses(problem, [...poses_of(problem.task), {x, y, theta_deg: last?.theta_deg ?? 0}]),
   );
   workbench.selected_pose = scene.poses.length - 1;
+}
+
+/** What else a task can be given by a click on the canvas; false: it lacks nothing of that. */
+export function add_clicked({workbench, scene}: Bench, at: Point): boolean {
+  const changed = scene.with_clicked(clicked_place(scene, at));
+  if (!changed) return false;
+  scene.touched = true;
+  workbench.edit(() => changed);
+  return true;
+}
+function clicked_place(scene: Bench["scene"], at: Point): Point {
+  const [x, y] = scene.space.unproject(at),
+    step = scene.snap_step ?? 10 ** Math.floor(Math.log10(scene.space.step / 8));
+  return [multiple(x, step), multiple(y, step)];
 }
 
 /** Traces the body point under the pointer, or ends tracing the one that is there. */

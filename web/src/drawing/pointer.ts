@@ -3,7 +3,15 @@ import {tick} from "svelte";
 import type {Attachment} from "svelte/attachments";
 import type {Point} from "../contract/messages";
 import {Fingers} from "../look/fingers";
-import {add_draft_corner, add_position, click_target, focus_handle, poses_are_wanted, toggle_traced} from "./actions";
+import {
+  add_clicked,
+  add_draft_corner,
+  add_position,
+  click_target,
+  focus_handle,
+  poses_are_wanted,
+  toggle_traced,
+} from "./actions";
 import {box_drag, rubber_drag} from "./drags/box_drags";
 import type {Bench} from "./bench";
 import type {Drag} from "./drags/drag";
@@ -263,6 +271,7 @@ class Pointer {
   private click_canvas(at: Point): void {
     const {workbench, scene} = this.bench;
     if (poses_are_wanted(workbench)) return add_position(this.bench, at);
+    if (add_clicked(this.bench, at)) return;
     workbench.selected_pose = null;
     if (document.activeElement instanceof SVGElement && this.svg.contains(document.activeElement))
       document.activeElement.blur();

@@ -7,7 +7,7 @@ import {Question} from "../questions/question.svelte";
 import type {Halo} from "../state/answers.svelte";
 import {halo_reach} from "../state/halo_follower";
 import {preferences} from "../state/preferences.svelte";
-import {outline_of, placed} from "../state/problem";
+import {outline_of, placed, type Problem} from "../state/problem";
 import {screen_size} from "../state/screen.svelte";
 import {poses_of, served_poses, type Pose, type Task} from "../state/task";
 import type {Workbench} from "../state/workbench.svelte";
@@ -76,7 +76,7 @@ export class Scene implements Surface {
 
   constructor(
     readonly workbench: Workbench,
-    private readonly kind: (task: Task) => Pick<TaskView, "mechanism" | "handles">,
+    private readonly kind: (task: Task) => Pick<TaskView, "mechanism" | "handles" | "with_clicked">,
   ) {
     this.instants = new Question(workbench.questions, {follows: true}); // a frame of the animation is shorter than an answer may take
   }
@@ -225,6 +225,12 @@ export class Scene implements Surface {
     const visited = drive ? rows.flatMap((row) => at_row(mechanism, linkage, drive, row).joints) : [],
       visits = mechanism.visits(linkage, served).flatMap((bodies) => bodies.flatMap(({corners}) => corners));
     return useful_pivots([...mechanism.pivots(linkage), ...visits, ...visited], around, sizes);
+  }
+
+  /** With what a click at a point of the fixed frame adds to the task; null: nothing. */
+  with_clicked(at: Point): Problem | null {
+    const {problem} = this.workbench;
+    return this.kind(problem.task).with_clicked?.(problem, at) ?? null;
   }
 
   // ---- gestures -----------------------------------------------------------------------------------------------

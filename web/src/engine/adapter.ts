@@ -139,9 +139,9 @@ function straight_line_of(record: LinkageRecord, {strip_middle, profile}: Linkag
   };
 }
 
-function path_of(record: LinkageRecord): object {
+function path_of(record: LinkageRecord, layers: LinkageReply["layers"]): object {
   const {point_to_input, point_to_output} = record.lengths!;
-  return {...record, point_to_input, point_to_output};
+  return {...record, point_to_input, point_to_output, ...(layers && {layers})};
 }
 
 /** What only some kinds have. */
@@ -152,7 +152,7 @@ function of_kind(reply: LinkageReply): object {
     ...(record && bodies && {six_bar: six_bar_of(record, bodies)}),
     ...(record && min_link_angle_deg !== undefined && {spherical: spherical_of(record, min_link_angle_deg)}),
     ...(record?.pivots && {straight_line: straight_line_of(record, reply)}),
-    ...(record?.point && {path: path_of(record)}),
+    ...(record?.point && {path: path_of(record, reply.layers)}),
     ...(rates !== undefined && {rates}),
   };
 }

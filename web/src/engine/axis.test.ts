@@ -5,8 +5,11 @@ import {
   held_place,
   held_tau,
   held_window,
+  in_layer_of,
+  on_branches,
   place_of,
   places_of,
+  settled,
   stepped_place,
   tau_at,
   tau_of_places,
@@ -134,5 +137,40 @@ describe("an axis of a few dyads", () => {
   it("is always shown whole", () => {
     expect(held_window(axes, {input: [0, 0.5], output: [0.25, 0.5]})).toEqual({input: [0, 1], output: [0.25, 0.5]});
     expect(held_window(axes, {input: [0.5, 0.6], output: [0, 1]})).toBe(whole);
+  });
+});
+
+describe("several linkages at a place", () => {
+  const reach: Axis = {
+      quantity: "arm_reach",
+      ticks: null,
+      order: 0,
+      branches: [{name: "range", from: 0, to: 1}],
+      blocks: [
+        {
+          branch: 0,
+          from: 0,
+          to: 1,
+          knots: [
+            [0, 0],
+            [1, 1],
+          ],
+        },
+      ],
+    },
+    axes = {input: reach, output: {...reach, quantity: "arm_difference"}} as const;
+  it("stand at one place of the map, by the fraction of the first coordinate", () => {
+    expect(place_of(reach, 17.42)).toBeCloseTo(0.42, 9);
+    expect(places_of(axes, [3.25, 0.5])).toEqual([0.25, 0.5]);
+    expect(place_of(axes.output, 1.5)).toBeNull();
+    expect(on_branches(reach, 0.42)).toBe(0.42);
+  });
+  it("stay themselves where their place is kept", () => {
+    const picked = {tau: [17.42, 0.3], place: [0.42, 0.3]} as const;
+    expect(settled(axes, picked)).toBe(picked);
+    expect(settled(axes, {...picked, place: [0.5, 0.3]})!.tau).toEqual([17.5, 0.3]);
+    expect(settled(axes, {...picked, place: null})!.place![0]).toBeCloseTo(0.42, 9);
+    expect(in_layer_of(reach, 17.42, 0.6)).toBeCloseTo(17.6, 9);
+    expect(in_layer_of(axis, 1.4, 0.6)).toBe(0.6);
   });
 });

@@ -113,8 +113,22 @@ export function tau_of_places(axes: Axes, place: TauPair): TauPair | null {
   return input === null || output === null ? null : [input, output];
 }
 
+/** Where several linkages stand at a place, which of them τ names: 0 the best there, k the one with τ in [k, k + 1). */
+function layer_of({quantity}: Axis, tau: number): number {
+  return quantity === "arm_reach" ? Math.max(Math.floor(tau), 0) : 0;
+}
+/** τ on the branches of the axis, whichever of the linkages there it names. */
+export function on_branches(axis: Axis, tau: number): number {
+  return tau - layer_of(axis, tau);
+}
+/** τ that has come from `before`, in its layer. */
+export function in_layer_of(axis: Axis, before: number, tau: number): number {
+  return tau + layer_of(axis, before);
+}
+
 /** Place of τ on the axis; nothing where no block shows it. */
-export function place_of(axis: Axis, tau: number): number | null {
+export function place_of(axis: Axis, named: number): number | null {
+  const tau = on_branches(axis, named);
   for (const block of axis.blocks) {
     const branch = axis.branches[block.branch];
     if (tau < branch!.from - 1e-12 || tau > branch!.to + 1e-12) continue;
@@ -144,7 +158,8 @@ export function places_of(axes: Axes, tau: TauPair): TauPair | null {
 export function settled(axes: Axes, picked: Picked): Picked | null {
   const place = picked.place ?? places_of(axes, picked.tau);
   if (!place) return null;
-  const tau = picked.place ? kept_tau(picked.tau, tau_of_places(axes, picked.place) ?? picked.tau) : picked.tau;
+  const moved = picked.place && tau_of_places(axes, picked.place),
+    tau = moved ? kept_tau(picked.tau, [in_layer_of(axes.input, picked.tau[0], moved[0]), moved[1]]) : picked.tau;
   return tau === picked.tau && place === picked.place ? picked : {tau, place};
 }
 /** τ as it was where its place has not moved it: undo restores a linkage to the last bit. */

@@ -5,6 +5,7 @@ import antenna_pointing from "../../../examples/antenna_pointing.json?raw";
 import corner_drawer from "../../../examples/corner_drawer.json?raw";
 import dump_bucket from "../../../examples/dump_bucket.json?raw";
 import drawer_hinge from "../../../examples/drawer_hinge.json?raw";
+import dough_mixer from "../../../examples/dough_mixer.json?raw";
 import film_claw from "../../../examples/film_claw.json?raw";
 import flow_meter_as_made from "../../../examples/flow_meter_as_made.json?raw";
 import folding_table from "../../../examples/folding_table.json?raw";
@@ -28,6 +29,7 @@ import tailgate from "../../../examples/tailgate.json?raw";
 import tailgate_as_made from "../../../examples/tailgate_as_made.json?raw";
 import transfer_arm from "../../../examples/transfer_arm.json?raw";
 import universal_joint_like from "../../../examples/universal_joint_like.json?raw";
+import windscreen_wiper from "../../../examples/windscreen_wiper.json?raw";
 import wrist_orthosis from "../../../examples/wrist_orthosis.json?raw";
 import type {Problem} from "../state/problem";
 import type {TextKey} from "../texts/texts.svelte";
@@ -57,6 +59,8 @@ const files = {
   nose_gear,
   transfer_arm,
   film_claw,
+  dough_mixer,
+  windscreen_wiper,
   sine_generator,
   log_generator,
   flow_meter_as_made,

@@ -2,8 +2,9 @@
 import type {Component} from "svelte";
 import type {Handle} from "../drawing/handles";
 import type {Surface} from "../drawing/surface";
-import type {ExportFormat, Linkage, MachineFormat, RequirementKey, Requirements} from "../contract/messages";
+import type {ExportFormat, Linkage, MachineFormat, Point, RequirementKey, Requirements} from "../contract/messages";
 import type {Mechanism} from "../figure/mechanism";
+import type {Problem} from "../state/problem";
 import type {Task} from "../state/task";
 import type {Workbench} from "../state/workbench.svelte";
 import type {TextKey} from "../texts/texts.svelte";
@@ -40,6 +41,8 @@ export interface TaskView {
   Layer?: Component;
   /** What can be taken hold of there, beside poses and pivots: handles whose target is a part of the task. */
   handles?(surface: Surface): Handle[];
+  /** With what a click on the canvas adds to a task that lacks some of it; null: it lacks nothing. Of poses the frame does so. */
+  with_clicked?(problem: Problem, at: Point): Problem | null;
   /** Over the drawing: it places itself. */
   Inset?: Component;
 

@@ -1,5 +1,6 @@
 // Where a grounded link stands on its axis of the map, as people read it.
 import type {Axes, Axis, AxisQuantity, Side, TauPair} from "../contract/messages";
+import {on_branches} from "../engine/axis";
 import {is_angle} from "../region/axis_marks";
 import {degrees_text, fixed, significant} from "../texts/numbers";
 import {t} from "../texts/texts.svelte";
@@ -44,7 +45,7 @@ export function place_text(axis: Axis, side: Side, tau: number, digits = 4): str
       return number_place_text(
         axis,
         side,
-        value_at(axis, tau, (a, b, share) => a + share * (b - a)),
+        value_at(axis, on_branches(axis, tau), (a, b, share) => a + share * (b - a)),
       );
   }
 }
@@ -67,8 +68,10 @@ const symbols: Partial<Record<AxisQuantity, string>> = {
   circle_y: "y",
   center_on_line: "s",
   circle_on_line: "s",
+  arm_reach: "u",
+  arm_difference: "v",
 };
-/** Of straight lines and given pivots. */
+/** Of straight lines, given pivots and paths. */
 function number_place_text(axis: Axis, side: Side, value: number): string {
   const symbol = symbols[axis.quantity] ?? "",
     of = axis.quantity.startsWith("link_") || axis.quantity.endsWith("_on_line") ? lower[side] : "";

@@ -26,6 +26,7 @@ const branch_texts: Record<string, TextKey> = {
 };
 const branch_terms: Record<string, TermName> = {odd: "branch_infinity", oval: "branch_closed", nodal: "node"};
 const sheets: Record<string, string> = {sheet_1: "I", sheet_2: "II", sheet_1_opposite: "III", sheet_2_opposite: "IV"};
+const unnamed = ["range", "arms"];
 const quantity_texts: Partial<Record<AxisQuantity, TextKey>> = {
   side_direction: "axis.side_direction",
   side_length: "axis.side_length",
@@ -49,6 +50,8 @@ const quantity_texts: Partial<Record<AxisQuantity, TextKey>> = {
   circle_y: "axis.circle_y",
   center_on_line: "axis.center_on_line",
   circle_on_line: "axis.circle_on_line",
+  arm_reach: "axis.arm_reach",
+  arm_difference: "axis.arm_difference",
 };
 /** Of straight lines: what of several linkages at a place the layer's are. */
 const layers: Record<string, TextKey> = {
@@ -93,7 +96,7 @@ export function block_text(axis: Axis, index: number, say: Say): string {
     name = axis.branches[branch]?.name ?? "range";
   const layer = layers[name];
   if (layer && axis.branches.length > 1) return t(layer);
-  if (axis.quantity === "nothing" || name === "range" || name === axis.quantity) return "";
+  if (axis.quantity === "nothing" || unnamed.includes(name) || name === axis.quantity) return "";
   if (axis.quantity === "burmester_point") return String(branch + 1);
   if (sheets[name]) return t("axis.sheet", {n: sheets[name]});
   if (name.startsWith("direction_")) return t("axis.direction", {n: branch + 1});

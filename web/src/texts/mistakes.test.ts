@@ -102,6 +102,12 @@ const six_bar = (point: string, between: string, rest = "") =>
 const arcs = (ground: number, others: number, rest = "") =>
   linkage(`"mechanism": "spherical_four_bar",
     "angles_deg": {"ground": ${ground}, "input": ${others}, "coupler": ${others}, "output": ${others}}${rest}`);
+const path = (points: string, pivots: string | null = null) =>
+  `{"linkwright": 1, "task": {"kind": "path", "mechanism": "four_bar", "points": [${points}]
+    ${pivots === null ? "" : `, "given": {"ground_pivots": {${pivots}}}`}}}`;
+const passed = (count: number, last = "") =>
+  [...Array.from({length: count}, (_, i) => `{"x": ${i}, "y": ${i * i}}`), ...(last ? [last] : [])].join(", ");
+const pivot = '"input": [1, 5]';
 const further = {
   "a list without a comma": "[1 2]",
   "a list without a first value": "[, 1]",
@@ -202,6 +208,35 @@ const further = {
     60,
     `, "orientations": [${[0, 1, 2, 3, 4, 5].map((x) => `{"euler_deg": [${x}, 0, 0], "sequence": "zyx"}`).join(", ")}]`,
   ),
+  "a path of points alone": path(passed(5)),
+  "a path of four points about a pivot": path(passed(4), pivot),
+  "a path of four points about two pivots": path(passed(4), `${pivot}, "output": [9, 5]`),
+  "a path of six points about a pivot": path(passed(6), pivot),
+  "a path of two points about two pivots": path(passed(2), `${pivot}, "output": [9, 5]`),
+  "a path through a point three times": path(
+    [
+      [0, 0],
+      [3, 1],
+      [0, 0],
+      [7, 2],
+      [0, 0],
+    ]
+      .map(([x, y]) => `{"x": ${x}, "y": ${y}}`)
+      .join(", "),
+    pivot,
+  ),
+  "a path through a pivot": path(passed(5), '"input": [2, 4]'),
+  "a path about two pivots in one": path(passed(3), `${pivot}, "output": [1, 5]`),
+  "a path with pivots and angles": path(
+    [0, 1, 2, 3, 4].map((i) => `{"x": ${i}, "y": ${i * i}, "input_deg": ${9 * i}}`).join(", "),
+    pivot,
+  ),
+  "a path with the crank's rate and no angle": path(
+    passed(3, '{"x": 9, "y": 9, "derivatives": [{"x": 1, "y": 0, "input": 1}]}'),
+    pivot,
+  ),
+  "a path on which the point rests": path(passed(3, '{"x": 9, "y": 9, "derivatives": [{"x": 0, "y": 0}]}'), pivot),
+  "a path through a point twice at once": path(passed(4, '{"x": 3, "y": 9}'), pivot),
   "a shortest link longer than the longest": lengths('"min_length": 5, "max_length": 4'),
 };
 const texts = [...files, ...Object.entries(further).map(([name, text]) => ({name, text}))];

@@ -1,19 +1,30 @@
 // For tests.
-import fc from "fast-check";
-import {number, record} from "../../state/arbitrary_values";
-import type {PathPoint, PathRate, PathTask} from "./task";
+import fc, {type Arbitrary} from "fast-check";
+import {number, point, record} from "../../state/arbitrary_values";
+import type {GroundPivots, PathPoint, PathRate, PathTask} from "./task";
 
-const rate = record<PathRate>({x: number(), y: number()}, {input: number()});
-const path_point = record<PathPoint>(
-  {x: number(), y: number(), input_deg: number()},
-  {derivatives: fc.array(rate, {minLength: 1, maxLength: 4})},
+const direction = {x: number(), y: number()};
+function points_of(place: Arbitrary<PathPoint>): Arbitrary<PathPoint[]> {
+  return fc.array(place, {maxLength: 12});
+}
+function rates_of(rate: Arbitrary<PathRate>): {derivatives: Arbitrary<PathRate[]>} {
+  return {derivatives: fc.array(rate, {minLength: 1, maxLength: 4})};
+}
+const kind = {kind: fc.constant("path" as const), mechanism: fc.constant("four_bar" as const)};
+const timed_point = record<PathPoint>(
+  {...direction, input_deg: number()},
+  rates_of(record<PathRate>(direction, {input: number()})),
 );
-export const arbitrary_task = record<PathTask>(
-  {
-    kind: fc.constant("path" as const),
-    mechanism: fc.constant("four_bar" as const),
-    points: fc.array(path_point, {maxLength: 12}),
-  },
-  {},
+const timed_task = record<PathTask>({...kind, points: points_of(timed_point)});
+const ground_pivots: Arbitrary<GroundPivots> = fc.oneof(
+  fc.record({input: point}),
+  fc.record({output: point}),
+  fc.record({input: point, output: point}),
 );
+const untimed_task = record<PathTask>({
+  ...kind,
+  points: points_of(record<PathPoint>(direction, rates_of(record<PathRate>(direction)))),
+  given: fc.record({ground_pivots}),
+});
+export const arbitrary_task = fc.oneof(timed_task, untimed_task);
 export const arbitrary_requirements = {full_turn: fc.boolean()};

@@ -1,7 +1,7 @@
 // The dial about the crank's ground pivot: a mark to each point, in the direction that the crank has there.
 import type {Point} from "../../contract/messages";
 import type {Surface} from "../../drawing/surface";
-import {points_of} from "./points";
+import {path_task, points_of} from "./points";
 
 export interface Dial {
   center: Point; // screen
@@ -26,18 +26,19 @@ export function on_dial([x, y]: Point, reach: number, direction_deg: number): Po
   const angle = (direction_deg * Math.PI) / 180;
   return [x + reach * Math.cos(angle), y - reach * Math.sin(angle)];
 }
-/** Of the linkage in hand; null where its crank has no two pivots. */
+/** Of the linkage in hand; null where its crank has no two pivots, or no angles of it are given. */
 function placed({workbench, space}: Surface): Pick<Dial, "center" | "zero_deg"> | null {
   const {center, circle} = workbench.hand?.path ? workbench.hand.input : {center: null, circle: null},
-    first = points_of(workbench.problem)[0];
-  if (!center || !circle || !first) return null;
+    task = path_task(workbench.problem),
+    first = task?.points[0];
+  if (!center || !circle || !first || task.given) return null;
   const lies_deg = (Math.atan2(circle[1] - center[1], circle[0] - center[0]) * 180) / Math.PI;
-  return {center: space.project(center), zero_deg: lies_deg - first.input_deg};
+  return {center: space.project(center), zero_deg: lies_deg - (first.input_deg ?? 0)};
 }
 export function dial_of(surface: Surface): Dial | null {
   const at = held.get(surface) ?? placed(surface);
   if (!at) return null;
-  const marks = points_of(surface.workbench.problem).map(({input_deg}) => ({
+  const marks = points_of(surface.workbench.problem).map(({input_deg = 0}) => ({
     angle_deg: input_deg,
     at: on_dial(at.center, radius, at.zero_deg + input_deg),
   }));

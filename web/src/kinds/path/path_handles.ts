@@ -1,44 +1,56 @@
-// The points and the marks of the crank's dial, as one takes hold of them on the drawing.
-import type {Point} from "../../contract/messages";
+// The points, given pivots and the marks of the crank's dial, as one takes hold of them on the drawing.
+import type {Point, Side} from "../../contract/messages";
 import {Way, type Drag} from "../../drawing/drags/drag";
 import {task_handle, type Handle} from "../../drawing/handles";
 import {angle_note, point_note} from "../../drawing/notes";
 import {multiple, wrapped_deg, type Keys} from "../../drawing/snapping";
 import {part_drag, type Surface} from "../../drawing/surface";
+import type {Problem} from "../../state/problem";
 import {t} from "../../texts/texts.svelte";
+import {anchors_of} from "../kind_dispatch";
 import {dial_of, hold_dial, release_dial, type Dial} from "./dial";
-import {points_of, with_point} from "./points";
-import {place_of} from "./task";
+import {path_task, points_of, with_pivot, with_point} from "./points";
+import {given_sides, pivots_of, place_of} from "./task";
 
 export const point_part = (index: number) => `point_${index + 1}`;
 export const mark_part = (index: number) => `crank_${index + 1}`;
 
+/** As the pivots of linkages are called, in whose place it is taken hold of. */
+export const pivot_part = (side: Side) => `pivot_${side}_center` as const;
+
 export function path_handles(surface: Surface): Handle[] {
-  const dial = dial_of(surface);
+  const dial = dial_of(surface),
+    task = path_task(surface.workbench.problem);
   return [
-    ...points_of(surface.workbench.problem).map((_, index) => point_handle(surface, index)),
+    ...(task?.points ?? []).map((_, index) => point_handle(surface, index)),
+    ...(task ? given_sides(task) : []).map((side) => pivot_handle(surface, side)),
     ...(dial?.marks.map((_, index) => mark_handle(surface, dial, index)) ?? []),
   ];
 }
 
-function point_handle(surface: Surface, index: number): Handle {
-  const {workbench} = surface,
-    part = point_part(index),
-    here = (): Point => place_of(points_of(workbench.problem)[index] ?? {x: 0, y: 0, input_deg: 0});
+/** A place of the task: where it is, what else it lines up with, and the problem with it elsewhere. */
+interface Place {
+  part: string;
+  label: (at: string) => string;
+  here(): Point;
+  others(): Point[];
+  moved(problem: Problem, to: Point): Problem;
+}
+function place_handle(surface: Surface, {part, label, here, others, moved}: Place): Handle {
+  const {workbench} = surface;
   const note = (at: Point) => point_note(at, surface.space.step, workbench.unit);
   return task_handle(
     {
       part,
-      label: () => t("path.point_handle", {n: index + 1, at: note(here())}),
+      label: () => label(note(here())),
       drag(from): Drag {
         const start = here(),
           way = new Way(surface, from),
-          others = points_of(workbench.problem).flatMap((point, i) => (i === index ? [] : [place_of(point)]));
+          beside = others();
         return part_drag(surface, part, {
           move(at, keys) {
-            const {point, guides} = surface.space.snapped(start, way.to(at, keys).from(start), keys, others),
-              [x, y] = point;
-            workbench.drag((problem) => with_point(problem, index, {x, y}));
+            const {point, guides} = surface.space.snapped(start, way.to(at, keys).from(start), keys, beside);
+            workbench.drag((problem) => moved(problem, point));
             surface.guides = guides;
             surface.tell(at, note(point));
           },
@@ -47,15 +59,32 @@ function point_handle(surface: Surface, index: number): Handle {
       nudge(dx, dy, step) {
         const [x, y] = here(),
           add = (value: number, by: number) => Number((value + by).toPrecision(12)) + 0;
-        workbench.edit(
-          (problem) => with_point(problem, index, {x: add(x, dx * step), y: add(y, dy * step)}),
-          `nudge ${part}`,
-        );
+        workbench.edit((problem) => moved(problem, [add(x, dx * step), add(y, dy * step)]), `nudge ${part}`);
       },
     },
     surface.space.project(here()),
     "move",
   );
+}
+function point_handle(surface: Surface, index: number): Handle {
+  const points = () => points_of(surface.workbench.problem);
+  return place_handle(surface, {
+    part: point_part(index),
+    label: (at) => t("path.point_handle", {n: index + 1, at}),
+    here: () => place_of(points()[index] ?? {x: 0, y: 0}),
+    others: () => points().flatMap((point, i) => (i === index ? [] : [place_of(point)])),
+    moved: (problem, [x, y]) => with_point(problem, index, {x, y}),
+  });
+}
+function pivot_handle(surface: Surface, side: Side): Handle {
+  const task = () => path_task(surface.workbench.problem);
+  return place_handle(surface, {
+    part: pivot_part(side),
+    label: (place) => t(`given.${pivot_part(side)}`, {place}),
+    here: () => pivots_of(task()!)[side] ?? [0, 0],
+    others: () => anchors_of(task()!).filter((at) => at !== pivots_of(task()!)[side]),
+    moved: (problem, to) => with_pivot(problem, side, to),
+  });
 }
 
 /** An angle as it comes to rest. */

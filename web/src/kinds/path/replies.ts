@@ -1,4 +1,5 @@
 // What the engine says of linkages whose point follows a path (engine/adapter.ts).
+import type {LayerReply} from "../../contract/replies";
 import type {FourBar} from "../../contract/result";
 import type {CarriedPoint} from "../../figure/tracing";
 
@@ -8,5 +9,10 @@ declare module "../../contract/messages" {
   }
 }
 
+/** Where no angles are given: all linkages at this place of the map, the best first. */
+export interface Layers {
+  layers?: readonly LayerReply[];
+}
 export type FollowedPath = CarriedPoint &
+  Layers &
   Pick<FourBar, "input_deg_at_points" | "theta_deg_at_points" | "cognate" | "full_turn" | "circuit_order">;

@@ -6,6 +6,7 @@ import Layer from "./Layer.svelte";
 import Numbers from "./Numbers.svelte";
 import {path_handles} from "./path_handles";
 import Picture from "./Picture.svelte";
+import {with_clicked} from "./points";
 import Requirement from "./Requirement.svelte";
 
 export const path_view: TaskView = {
@@ -14,6 +15,7 @@ export const path_view: TaskView = {
   Requirement,
   Layer,
   handles: path_handles,
+  with_clicked,
   Numbers,
   Picture: Picture as Component<{id: string}>,
   plots: () => ["transmission", "path", "coupler", "output", "velocity", "advantage"],
