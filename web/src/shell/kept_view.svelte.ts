@@ -16,7 +16,7 @@ export interface KeptView extends StoredView {
 const name = "last",
   most_samples = 250,
   rest_ms = 1000,
-  patience_ms = 300; // the engine is there soon after
+  patience_ms = 300; // the frame is not kept waiting
 const this_build = [import.meta.url, code_urls.first, code_urls.rest].join(" "); // their names tell their contents
 const store = () => createStore("linkwright_view", "view");
 
@@ -39,9 +39,12 @@ export async function keep_view(view: KeptView): Promise<void> {
   await set(name, view, store()).catch(() => {});
 }
 export async function read_view(): Promise<KeptView | null> {
-  const never = new Promise<undefined>((resolve) => setTimeout(resolve, patience_ms));
-  const read = async () => get<KeptView>(name, store()).catch(() => undefined);
-  return (await Promise.race([read(), never])) ?? null;
+  return (await get<KeptView>(name, store()).catch(() => undefined)) ?? null;
+}
+/** What has been read before the page has to stand; null: it comes later, or not at all. */
+export async function soon(reading: Promise<KeptView | null>): Promise<KeptView | null> {
+  const later = new Promise<null>((resolve) => setTimeout(() => resolve(null), patience_ms));
+  return Promise.race([reading, later]);
 }
 /** To be called where the page begins. */
 export function keep_views(workbench: Workbench): void {

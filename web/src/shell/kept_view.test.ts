@@ -6,7 +6,8 @@ import {Workbench} from "../state/workbench.svelte";
 import {bench, settled} from "../state/workbench_bench";
 import {first_example} from "../gallery/gallery";
 import {with_pose_moved} from "../kinds/kind_dispatch";
-import {keep_view, read_view, view_for, view_of} from "./kept_view.svelte";
+import {keep_view, read_view, soon, view_for, view_of} from "./kept_view.svelte";
+import {show_kept} from "./start";
 
 let shown: Workbench;
 beforeAll(async () => {
@@ -29,6 +30,18 @@ it("is there on the next visit, before the engine", async () => {
   expect(workbench.live).toEqual(shown.live);
   expect(workbench.answers.map_is_of_present && workbench.answers.hand_is_of_present).toBe(true);
   expect(workbench.document).toEqual(shown.document);
+});
+it("is shown when it is read late, and not over a map that is there", async () => {
+  expect(await soon(new Promise(() => {}))).toBeNull();
+  const kept = view_of(shown)!,
+    workbench = next_visit();
+  show_kept(workbench, null);
+  expect(workbench.map).toBeNull();
+  show_kept(workbench, kept);
+  expect(workbench.hand).toEqual(shown.picked_linkage);
+  const there = workbench.map;
+  show_kept(workbench, kept);
+  expect(workbench.map).toBe(there);
 });
 it("is shown of nothing else", async () => {
   const kept = view_of(shown)!,

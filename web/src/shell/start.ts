@@ -24,6 +24,11 @@ export function first_workbench(view: KeptView | null): Workbench {
   if (stored) workbench.show_stored(stored.task, stored.map, stored.linkage, stored.live);
   return workbench;
 }
+/** Of a view that was read late: nothing where there is a map already. */
+export function show_kept(workbench: Workbench, view: KeptView | null): void {
+  const stored = workbench.map ? null : view_for(workbench, view);
+  if (stored) workbench.show_stored(stored.task, stored.map, stored.linkage, stored.live);
+}
 function is_first_example(problem: Problem): boolean {
   return (
     engine_text(problem) === engine_text(first_example.problem) &&
