@@ -5,6 +5,7 @@ import {
   all,
   begin,
   click,
+  faults,
   focus,
   get,
   is_there,
@@ -180,15 +181,18 @@ describe("about a given pivot", () => {
     expect(text("path.layer")).toBe(first);
   });
 
-  test("the pivot is typed and moved by keys", async () => {
+  test("the pivot is typed and moved by keys, and what is wrong with it is said", async () => {
     await focus("drawing.pivot_input_center");
     await press("ArrowRight");
     const [x] = pivots_of(task()).input!;
     expect(x).toBeGreaterThan(40);
     await until_settled();
     expect(workbench.hand!.input.center![0]).toBeCloseTo(x, 6);
-    await type_into("path.pivot_input.x", "35");
-    expect(pivots_of(task()).input![0]).toBe(35);
+    await type_into("path.pivot_input.x", "0");
+    await type_into("path.pivot_input.y", "0");
+    await until(() => /point 1 lies at a ground pivot/.test(faults()));
+    await type_into("path.pivot_input.y", "35");
+    await until(() => faults() === "");
   });
 
   test("a direction counts as one more, and has no rate of the crank", async () => {
