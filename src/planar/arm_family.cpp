@@ -41,6 +41,20 @@ double size_of(const PathTask& task, Point pivot) {
   return squares > 0 ? std::sqrt(squares / count) : std::abs(task.points.front().point - pivot);
 }
 
+std::size_t dyads_of_pattern(const ArmTask& task) { return task.other ? 1 : FurtherDyadBlock::most; }
+
+int layer_count(const ArmTask& task) {
+  return static_cast<int>(pattern_count(task.path.size()) * dyads_of_pattern(task));
+}
+
+MapAxis arm_axis(const ArmTask& task) {
+  MapAxis axis{AxisQuantity::arm_reach, {{"", 0, 1}}};
+  axis.layers = layer_count(task);
+  return axis;
+}
+
+}  // namespace
+
 ArmTask arm_task(const PathTask& task) {
   ArmTask arms;
   arms.side = task.pivots.input ? Side::input : Side::output;
@@ -55,20 +69,6 @@ ArmTask arm_task(const PathTask& task) {
   }
   return arms;
 }
-
-std::size_t dyads_of_pattern(const ArmTask& task) { return task.other ? 1 : FurtherDyadBlock::most; }
-
-int layer_count(const ArmTask& task) {
-  return static_cast<int>(pattern_count(task.path.size()) * dyads_of_pattern(task));
-}
-
-MapAxis arm_axis(const ArmTask& task) {
-  MapAxis axis{AxisQuantity::arm_reach, {{"", 0, 1}}};
-  axis.layers = layer_count(task);
-  return axis;
-}
-
-}  // namespace
 
 // ---- a layer --------------------------------------------------------------------------------------------------------
 
@@ -233,8 +233,11 @@ class ArmFamily::Solver {
 // ---- the family -----------------------------------------------------------------------------------------------------
 
 ArmFamily::ArmFamily(const PathTask& task, const Requirements& requirements, Objective objective)
-    : PathFamily(arm_task(task).frame, arm_axis(arm_task(task)), {AxisQuantity::arm_difference, {{"", 0, 1}}}),
-      task_(arm_task(task)),
+    : ArmFamily(arm_task(task), requirements, objective) {}
+
+ArmFamily::ArmFamily(ArmTask task, const Requirements& requirements, Objective objective)
+    : PathFamily(task.frame, arm_axis(task), {AxisQuantity::arm_difference, {{"", 0, 1}}}),
+      task_(std::move(task)),
       reach_(task_.pivot, places_of(task_.path)),
       requirements_(requirements),
       judge_(requirements, path_linkages, arm_measures),
@@ -464,13 +467,15 @@ std::optional<double> ArmFamily::rate_residual(MapPoint place) const {
 }
 
 TaskFamily family_of_arms(const PathTask& task, const Requirements& requirements, Objective objective) {
+  ArmTask arms = arm_task(task);
   TaskFamily given;
   given.pattern = pattern(task.points);
-  given.conditions.frame = arm_task(task).frame;
+  given.conditions.frame = arms.frame;
   given.size = given.frame().scale;
   given.has_directions = std::any_of(task.points.begin(), task.points.end(),
                                      [](const PathPoint& point) { return !point.derivatives.empty(); });
-  given.paths = std::make_shared<const ArmFamily>(task, with_default_lengths(requirements, given.size), objective);
+  given.paths =
+      std::make_shared<const ArmFamily>(std::move(arms), with_default_lengths(requirements, given.size), objective);
   given.family = given.paths;
   return given;
 }

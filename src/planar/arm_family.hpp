@@ -34,6 +34,7 @@ class ArmFamily : public PathFamily {
  public:
   /// `task`: untimed, without mistakes; requirements with default lengths filled in.
   ArmFamily(const PathTask& task, const Requirements& requirements, Objective objective);
+  ArmFamily(ArmTask task, const Requirements& requirements, Objective objective);
 
   [[nodiscard]] bool is_timed() const override { return false; }
 
@@ -80,6 +81,10 @@ class ArmFamily : public PathFamily {
   bool only_in_order_;                                ///< the arm drives, and its order is required
   std::vector<std::array<std::size_t, 2>> repeated_;  ///< points at one place
 };
+
+/// Of an untimed task without mistakes. The frame's unit is the root of the mean square of the points' distances from
+/// their centroid.
+[[nodiscard]] ArmTask arm_task(const PathTask& task);
 
 /// As task_family(), of a task without angles of the crank.
 [[nodiscard]] TaskFamily family_of_arms(const PathTask& task, const Requirements& requirements, Objective objective);

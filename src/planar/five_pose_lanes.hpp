@@ -190,12 +190,17 @@ LINKWRIGHT_INLINE Cubic<Width> determinant_of(const Pencil<Width>& pencil) {
           dot(pencil.f.row_x(), of_f.row_x())};
 }
 
-/// Turns the basis of the pencil so that the leading coefficient of its cubic is as large as it can be at a multiple of
-/// 45°.
+/// A turn of a basis by a multiple of 45°: the first of the new basis is along·first + across·second.
 template <int Width>
-LINKWRIGHT_INLINE Cubic<Width> choose_leading(Pencil<Width>& pencil) {
+struct BasisTurn {
+  Real<Width> along, across;
+};
+
+/// After which the leading coefficient of a binary cubic is as large as it can be.
+template <int Width>
+LINKWRIGHT_INLINE BasisTurn<Width> leading_turn(const Cubic<Width>& cubic) {
   using R = Real<Width>;
-  const auto [c] = determinant_of<Width>(pencil);
+  const auto& c = cubic.c;
   const double root_eighth = 0.35355339059327379, root_half = 0.70710678118654757;
   const R sum = magnitude<Width>(root_eighth * ((c[0] + c[2]) + (c[1] + c[3])));
   const R difference = magnitude<Width>(root_eighth * ((c[0] + c[2]) - (c[1] + c[3])));
@@ -203,8 +208,14 @@ LINKWRIGHT_INLINE Cubic<Width> choose_leading(Pencil<Width>& pencil) {
   const Mask straight = negated<Width>(less<Width>(larger(first, last), larger(sum, difference)));
   const Mask swapped = less<Width>(first, last), other_sign = less<Width>(sum, difference);
   const R one = R{} + 1.0, s = R{} + root_half;
-  const R to_e = select<Width>(straight, where<Width>(negated<Width>(swapped), one), s);
-  const R to_f = select<Width>(straight, where<Width>(swapped, one), select<Width>(other_sign, -s, s));
+  return {select<Width>(straight, where<Width>(negated<Width>(swapped), one), s),
+          select<Width>(straight, where<Width>(swapped, one), select<Width>(other_sign, -s, s))};
+}
+
+/// Turns the basis of the pencil so that its cubic's leading coefficient is large.
+template <int Width>
+LINKWRIGHT_INLINE Cubic<Width> choose_leading(Pencil<Width>& pencil) {
+  const auto [to_e, to_f] = leading_turn<Width>(determinant_of<Width>(pencil));
   pencil = {combined(to_e, pencil.e, to_f, pencil.f), combined(-to_f, pencil.e, to_e, pencil.f)};
   return determinant_of<Width>(pencil);
 }

@@ -50,21 +50,11 @@ LINKWRIGHT_INLINE Cubic<Width> cubic_of(const ThroughKnown<Width>& a, const Thro
        a.slope_s * b.tt + a.slope_t * b.st - b.slope_s * a.tt - b.slope_t * a.st, a.slope_t * b.tt - b.slope_t * a.tt}};
 }
 
-/// Turns the basis by a multiple of 45° so that the cubic's leading coefficient is as large as it can be.
+/// Turns the basis so that the cubic's leading coefficient is large.
 template <int Width>
 LINKWRIGHT_INLINE void choose_leading(Vector3<Real<Width>> (&e)[2], const Cubic<Width>& cubic) {
-  using R = Real<Width>;
-  const auto& c = cubic.c;
-  const double root_eighth = 0.35355339059327379, root_half = 0.5 * root_two;
-  const R sum = root_eighth * magnitude<Width>((c[0] + c[2]) + (c[1] + c[3]));
-  const R difference = root_eighth * magnitude<Width>((c[0] + c[2]) - (c[1] + c[3]));
-  const R first = magnitude<Width>(c[0]), last = magnitude<Width>(c[3]);
-  const Mask straight = negated<Width>(less<Width>(larger(first, last), larger(sum, difference)));
-  const Mask swapped = less<Width>(first, last), other_sign = less<Width>(sum, difference);
-  const R one = R{} + 1.0, half = R{} + root_half;
-  const R along = select<Width>(straight, where<Width>(negated<Width>(swapped), one), half);
-  const R across = select<Width>(straight, where<Width>(swapped, one), select<Width>(other_sign, -half, half));
-  const Vector3<R> leading = along * e[0] + across * e[1];
+  const auto [along, across] = leading_turn<Width>(cubic);
+  const auto leading = along * e[0] + across * e[1];
   e[1] = (-across) * e[0] + along * e[1];
   e[0] = leading;
 }
