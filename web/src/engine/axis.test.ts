@@ -1,5 +1,6 @@
 import {describe, expect, it} from "vitest";
 import {whole, type Axis} from "../contract/messages";
+import {straight_axis} from "../../tests/axes";
 import {
   block_at,
   held_place,
@@ -141,23 +142,7 @@ describe("an axis of a few dyads", () => {
 });
 
 describe("several linkages at a place", () => {
-  const reach: Axis = {
-      quantity: "arm_reach",
-      ticks: null,
-      order: 0,
-      branches: [{name: "range", from: 0, to: 1}],
-      blocks: [
-        {
-          branch: 0,
-          from: 0,
-          to: 1,
-          knots: [
-            [0, 0],
-            [1, 1],
-          ],
-        },
-      ],
-    },
+  const reach: Axis = {...straight_axis, quantity: "arm_reach"},
     axes = {input: reach, output: {...reach, quantity: "arm_difference"}} as const;
   it("stand at one place of the map, by the fraction of the first coordinate", () => {
     expect(place_of(reach, 17.42)).toBeCloseTo(0.42, 9);

@@ -1,5 +1,6 @@
 import {describe, expect, it} from "vitest";
-import type {Axis, AxisBlock} from "../contract/messages";
+import type {Axis} from "../contract/messages";
+import {straight_block} from "../../tests/axes";
 import {axis_bars, axis_numbers, has_layers} from "./axis_marks";
 import {make_scale} from "./scale";
 import {spherical_kind} from "../kinds/spherical/kind";
@@ -47,16 +48,7 @@ describe("an axis with numbers", () => {
     expect(narrow.map(({text}) => text)).toEqual(["×0", "×0"]);
   });
   it("has round numbers along lengths, and the engine's where these are no even ones", () => {
-    const block: AxisBlock = {
-        branch: 0,
-        from: 0,
-        to: 1,
-        knots: [
-          [0, 0],
-          [1, 1],
-        ],
-      },
-      scale = make_scale([block], [0, 1], 404);
+    const scale = make_scale([straight_block], [0, 1], 404);
     const texts = (value: (share: number) => number) =>
       axis_numbers(
         {
@@ -64,7 +56,7 @@ describe("an axis with numbers", () => {
           quantity: "crank_length",
           ticks: Array.from({length: 12}, (_, i) => [i / 12, value(i / 12)] as const),
           branches: [{name: "range", from: 0, to: 1}],
-          blocks: [block],
+          blocks: [straight_block],
         },
         scale,
       ).map(({text}) => text);

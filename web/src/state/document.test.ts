@@ -1,30 +1,13 @@
 import {describe, expect, it} from "vitest";
 import type {Axis} from "../contract/messages";
+import {straight_axis} from "../../tests/axes";
 import {differs, from_problem, same_tau, settled_on, to_problem, type TaskDocument} from "./document";
 import {new_problem} from "../kinds/motion/kind";
 import {with_view, type Pin} from "./problem";
 import {with_pose} from "../kinds/kind_dispatch";
 
-/** One branch over the whole axis, from τ = 0 to 1. */
-const axis: Axis = {
-  quantity: "curve_coordinate",
-  ticks: null,
-  order: 3,
-  branches: [{name: "odd", from: 0, to: 1}],
-  blocks: [
-    {
-      branch: 0,
-      from: 0,
-      to: 1,
-      knots: [
-        [0, 0],
-        [1, 1],
-      ],
-    },
-  ],
-};
 const shifted: Axis = {
-  ...axis,
+  ...straight_axis,
   blocks: [
     {
       branch: 0,
@@ -37,7 +20,7 @@ const shifted: Axis = {
     },
   ],
 };
-const no_curve: Axis = {...axis, branches: [], blocks: []};
+const no_curve: Axis = {...straight_axis, branches: [], blocks: []};
 const both = (one: Axis) => ({input: one, output: one});
 
 const problem = new_problem();
@@ -70,24 +53,24 @@ describe("a document", () => {
 
 describe("on the axis of an answer", () => {
   it("what was loaded gets its place from τ", () => {
-    const settled = settled_on(both(axis), document);
+    const settled = settled_on(both(straight_axis), document);
     expect(settled.picked).toEqual({tau: [0.25, 0.5], place: [0.25, 0.5]});
     expect(settled.pins[0]!.place).toEqual([0.5, 0.75]);
     expect(settled.order).toBe(3);
-    expect(settled_on(both(axis), settled)).toBe(settled);
+    expect(settled_on(both(straight_axis), settled)).toBe(settled);
   });
   it("what has a place keeps it, and τ follows, the picked linkage's only", () => {
-    const settled = settled_on(both(shifted), settled_on(both(axis), document));
+    const settled = settled_on(both(shifted), settled_on(both(straight_axis), document));
     expect(settled.picked).toEqual({tau: [0.5, 0.75], place: [0.25, 0.5]});
     expect(settled.pins[0]).toMatchObject({tau: [0.5, 0.75], place: [0.5, 0.75]});
   });
   it("τ stays to the last bit where it has not moved", () => {
     const tau = [0.25 + 1e-12, 0.5] as const,
-      settled = settled_on(both(axis), {...document, picked: {tau, place: [0.25, 0.5]}});
+      settled = settled_on(both(straight_axis), {...document, picked: {tau, place: [0.25, 0.5]}});
     expect(settled.picked!.tau).toBe(tau);
   });
   it("what was loaded with a τ that is none of the axes is not in hand as another", () => {
-    expect(settled_on(both(axis), {...document, picked: {tau: [1.25, 0.5], place: null}}).picked).toBeNull();
+    expect(settled_on(both(straight_axis), {...document, picked: {tau: [1.25, 0.5], place: null}}).picked).toBeNull();
   });
   it("without a curve everything waits for one", () => {
     expect(settled_on(both(no_curve), document)).toBe(document);

@@ -4,7 +4,8 @@ import fc from "fast-check";
 import {kill} from "../../tests/kill";
 import {afterAll, beforeAll, describe, expect, it, vi} from "vitest";
 import {patience_ms, type EngineClient} from "../engine/client";
-import type {Axis, Kind, RequestMessage, Requests, TauPair} from "../contract/messages";
+import type {Kind, RequestMessage, Requests, TauPair} from "../contract/messages";
+import {straight_axis} from "../../tests/axes";
 import {keep_work, own_slot, read_work, type Store} from "../shell/storage";
 import {new_problem} from "../kinds/motion/kind";
 import {function_kind} from "../kinds/function/kind";
@@ -17,23 +18,6 @@ import {with_pose, with_poses} from "../kinds/kind_dispatch";
 
 const refused_x = 666,
   rest_ms = 5000;
-const axis: Axis = {
-  quantity: "curve_coordinate",
-  ticks: null,
-  order: 3,
-  branches: [{name: "odd", from: 0, to: 1}],
-  blocks: [
-    {
-      branch: 0,
-      from: 0,
-      to: 1,
-      knots: [
-        [0, 0],
-        [1, 1],
-      ],
-    },
-  ],
-};
 const linkage = (tau: unknown) => ({
   tau,
   type: "crank_rocker",
@@ -48,7 +32,7 @@ const linkage = (tau: unknown) => ({
 });
 const replies: Partial<Record<Kind, (request: never) => object>> = {
   explore: ({samples, window, property, picked}: Requests["explore"]) => ({
-    task: {status: "solved", axes: {input: axis, output: axis}},
+    task: {status: "solved", axes: {input: straight_axis, output: straight_axis}},
     engine_ms: 1,
     map: {samples, window, property, type: {length: 100}, census: {meeting: 1}},
     linkage: picked ? linkage(picked.place ?? picked.tau) : null, // τ and places are the same on this axis
