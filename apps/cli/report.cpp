@@ -251,8 +251,7 @@ std::string free_words(const MotionAnswer& answer) {
 std::string free_words(const FunctionAnswer& answer) { return function_free_words(answer.family(), answer.task); }
 
 std::string arm_free_words(const PathTask& task) {
-  const bool is_crank = task.pivots.input.has_value();
-  const std::string_view link = is_crank ? "crank" : "output link";
+  const std::string_view link = task.pivots.input ? "crank" : "output link";
   const std::size_t patterns = std::size_t{1} << task.points.size();
   return fmt::format(
       "2 parameters are free, the axes of the solution region: the lengths of the {0} and of the arm from "

@@ -22,8 +22,6 @@ struct ArmTask {
   Point pivot{};                  ///< working frame
   Side side = Side::input;        ///< of the arm
   std::optional<Point> other;     ///< the other link's ground pivot, where it is given, too
-
-  [[nodiscard]] Side other_side() const { return side == Side::input ? Side::output : Side::input; }
 };
 
 /// The four-bars whose coupler point passes places, a ground pivot being given with five positions, or both with three:

@@ -175,8 +175,7 @@ std::string short_label_of(const PathTask& task) {
 namespace {
 
 AxisLabel arm_axis_label(const PathAnswer& answer, MapAxis axis) {
-  const bool is_other = answer.task.pivots.input.has_value();
-  const std::string_view link = is_other ? "crank" : "output link";
+  const std::string_view link = answer.task.pivots.input ? "crank" : "output link";
   if (axis.quantity == AxisQuantity::arm_reach)
     return {fmt::format("farthest point over {} and arm", link), fmt::format("Farthest point / ({} + arm), u", link),
             "1", name(axis.quantity), std::move(axis.branches)};

@@ -114,7 +114,7 @@ void path_fields(FieldVisitor& v, const FourBarSolution& found) {
              in_order);
   v.shown_if_any(Field("position_error",
                        "Paths, free of defects: by driving, the largest distance of the point from where it is to be "
-                       "with the crank so far."),
+                       "with the crank turned by input_deg_at_points."),
                  forms::where(was_driven, path.position_error), forms::not_negative);
   v.shown_if_any(Field("timing_error_deg",
                        "Paths, free of defects: by driving, the largest turn of the crank from there to where the "

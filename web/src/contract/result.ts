@@ -342,7 +342,7 @@ export interface FourBar {
   full_turn?: boolean;
   /** Paths: along the circuit of the linkage, either way round, the points come as they are listed; null where they lie on different circuits. */
   circuit_order?: boolean | null;
-  /** Paths, free of defects: by driving, the largest distance of the point from where it is to be with the crank so far. */
+  /** Paths, free of defects: by driving, the largest distance of the point from where it is to be with the crank turned by input_deg_at_points. */
   position_error?: number;
   /** Paths, free of defects: by driving, the largest turn of the crank from there to where the point is nearest. */
   timing_error_deg?: number;
