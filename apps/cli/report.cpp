@@ -71,7 +71,23 @@ std::string map_words(const MotionAnswer& answer) {
 std::string map_words(const FunctionAnswer& answer) { return function_map_words(*answer.family(), answer.region); }
 
 std::string map_words(const PathAnswer& answer) {
-  return fmt::format("The solution region of {} × {} cranks", answer.region.rows(), answer.region.columns());
+  const auto of = [&](std::string_view what) {
+    return fmt::format("The solution region of {} × {} {}", answer.region.rows(), answer.region.columns(), what);
+  };
+  switch (answer.task.form()) {
+    case PathForm::cranks:
+      return of("cranks");
+    case PathForm::arms:
+      return of("arms");
+    case PathForm::ground_pivot:
+    case PathForm::other_pivot:
+      return of("places of the pivot");
+    case PathForm::curve_of_arms:
+      return fmt::format("The solution region of {} input links and {} linkages of each", answer.region.rows(),
+                         answer.region.columns());
+    default:
+      return "What is given";
+  }
 }
 
 /// Pairs of one curve always make something; elsewhere a cell may have no dyads at all.
@@ -250,19 +266,38 @@ std::string free_words(const MotionAnswer& answer) {
 
 std::string free_words(const FunctionAnswer& answer) { return function_free_words(answer.family(), answer.task); }
 
-std::string arm_free_words(const PathTask& task) {
-  const std::string_view link = task.pivots.input ? "crank" : "output link";
-  const std::size_t patterns = std::size_t{1} << task.points.size();
+/// How many linkages stand at a place, and which of them a cell shows.
+std::string layer_words(const PathTask& task) {
+  const auto is_plain = [](const PathPoint& point) { return point.is_plain(); };
+  const auto plain = std::count_if(task.points.begin(), task.points.end(), is_plain);
   return fmt::format(
-      "2 parameters are free, the axes of the solution region: the lengths of the {0} and of the arm from "
-      "it to the point. At each place the elbow of both can stand in {1} ways{2}; a cell shows the best "
-      "linkage of its place.",
-      link, patterns, task.pivots.count() == 2 ? ", with one linkage to each" : ", with one or three linkages to each");
+      "At each place the elbow can stand in {} ways, with {} to each; a cell shows the best linkage of its "
+      "place.",
+      std::size_t{1} << plain, task.pivots.count() == 2 ? "one linkage" : "one or three linkages");
+}
+
+std::string arm_free_words(const PathTask& task) {
+  constexpr std::string_view two = "2 parameters are free, the axes of the solution region: ";
+  switch (task.form()) {
+    case PathForm::ground_pivot:
+      return fmt::format("{}the place of the input link's ground pivot, which leaves one arm to the point. {}", two,
+                         layer_words(task));
+    case PathForm::other_pivot:
+      return fmt::format("{}the place of the {} link's ground pivot.", two, task.pivots.input ? "output" : "input");
+    case PathForm::curve_of_arms:
+      return "1 parameter is free, the rows of the solution region: the position of the input link on its curve. Its "
+             "columns are the linkages to each: the elbow can stand in two ways, with one or three linkages to each.";
+    case PathForm::few:
+      return "No parameter is free.";
+    default:
+      return fmt::format("{}the lengths of the {} and of the arm from it to the point. {}", two,
+                         task.pivots.input ? "crank" : "output link", layer_words(task));
+  }
 }
 
 std::string free_words(const PathAnswer& answer) {
   if (!answer.family()) return "";
-  if (!answer.task.is_timed()) return wrapped(arm_free_words(answer.task));
+  if (answer.task.form() != PathForm::cranks) return wrapped(arm_free_words(answer.task));
   if (!answer.given.curve) return "";
   return wrapped(
       "2 parameters are free, the axes of the solution region: the positions of the crank and of its "
@@ -292,7 +327,9 @@ std::string report_of_kind(const Problem& problem, const FunctionAnswer& answer)
 std::string report_of_kind(const Problem& problem, const PathAnswer& answer) {
   return heading(problem, crank_count(answer)) + curve_words(answer, crank_curves) + free_words(answer) +
          counts_of(problem, answer) + warnings_words(answer) + crank_words(answer) +
-         pair_words(answer, "All linkages, by their own crank and their cognate's, best first:\n") +
+         pair_words(answer, answer.task.form() == PathForm::cranks
+                                ? "All linkages, by their own crank and their cognate's, best first:\n"
+                                : "All linkages, best first:\n") +
          linkages_words(problem, answer) + path_table(problem, answer) + nothing_words(problem, answer);
 }
 

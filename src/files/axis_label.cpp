@@ -4,7 +4,7 @@ namespace linkwright {
 
 bool has_values(AxisQuantity quantity) {
   return quantity != AxisQuantity::curve_coordinate && quantity != AxisQuantity::burmester_point &&
-         quantity != AxisQuantity::nothing;
+         quantity != AxisQuantity::nothing && quantity != AxisQuantity::layer;
 }
 
 }  // namespace linkwright

@@ -81,7 +81,7 @@ void dyads_field(FieldVisitor& v, const Answer& answer) {
 void path_fields(FieldVisitor& v, const Answer& answer) {
   const auto* path = held<PathAnswer>(answer);
   v.shown_if_any(Field("timing", "Paths: at which points the angle of the crank is given."),
-                 path ? std::optional(std::string(path->task.is_timed() ? "all" : "none")) : std::nullopt);
+                 path ? std::optional(std::string(name(path->task.timing()))) : std::nullopt);
   const Field cranks("cranks", "Paths of five positions: all cranks that there are.");
   v.member(cranks.written(path && !path->given.points.empty()), false, [&](FieldVisitor& to) {
     const PathAnswer none;
@@ -116,7 +116,7 @@ void linkage_fields(FieldVisitor& v, const Answer& answer) {
                        "Best first; with \"at\" in the options what is at that place of the region and nothing else.");
   const Field pairs("pairs",
                     "Five positions: every two dyads as a four-bar with the better driver, whatever its defects; five "
-                    "precision points, or five positions of a path: every linkage; otherwise none. Best first.");
+                    "precision points, or a path that leaves but a few: every linkage; otherwise none. Best first.");
   const Field freed("freed",
                     "Five positions that no linkage passes as required: what freeing one of them comes to, nearest "
                     "first.");

@@ -25,50 +25,19 @@ constexpr auto arm_measures = [] {
   return all;
 }();
 
-std::vector<Point> places_of(std::span<const PathJet> path) {
-  std::vector<Point> places;
-  for (const PathJet& jet : path) places.push_back(jet.front());
-  return places;
-}
-
-// Root of the mean square of the points' distances from their centroid; of one point its distance from the pivot.
-double size_of(const PathTask& task, Point pivot) {
-  Point sum{};
-  for (const PathPoint& point : task.points) sum += point.point;
-  const double count = static_cast<double>(task.points.size());
-  double squares = 0;
-  for (const PathPoint& point : task.points) squares += std::norm(point.point - sum / count);
-  return squares > 0 ? std::sqrt(squares / count) : std::abs(task.points.front().point - pivot);
-}
-
-std::size_t dyads_of_pattern(const ArmTask& task) { return task.other ? 1 : FurtherDyadBlock::most; }
-
-int layer_count(const ArmTask& task) {
-  return static_cast<int>(pattern_count(task.path.size()) * dyads_of_pattern(task));
-}
-
-MapAxis arm_axis(const ArmTask& task) {
-  MapAxis axis{AxisQuantity::arm_reach, {{"", 0, 1}}};
-  axis.layers = layer_count(task);
+MapAxis with_layers(MapAxis axis, int layers) {
+  axis.layers = layers;
   return axis;
 }
 
-}  // namespace
+std::size_t dyads_of(const ArmChoice& choice) { return choice.knows_other() ? 1 : FurtherDyadBlock::most; }
 
-ArmTask arm_task(const PathTask& task) {
-  ArmTask arms;
-  arms.side = task.pivots.input ? Side::input : Side::output;
-  const Point pivot = task.pivots.input ? *task.pivots.input : *task.pivots.output;
-  arms.frame = {task.points.front().point, size_of(task, pivot)};
-  arms.points = task.points;
-  arms.pivot = arms.frame.to_working(pivot);
-  if (task.pivots.count() == 2) arms.other = arms.frame.to_working(*task.pivots.output);
-  for (const PathPoint& point : task.points) {
-    arms.path.push_back({arms.frame.to_working(point.point)});
-    for (const PathDerivative& d : point.derivatives) arms.path.back().push_back(d.point / arms.frame.scale);
-  }
-  return arms;
+int layer_count(const ArmTask& task, const ArmChoice& choice) {
+  if (choice.layers() != LayersOf::input_axis) return 0;
+  return static_cast<int>(pattern_count(task.plain_places().size()) * dyads_of(choice));
 }
+
+}  // namespace
 
 // ---- a layer --------------------------------------------------------------------------------------------------------
 
@@ -77,17 +46,45 @@ struct ArmFamily::Layer {
   std::uint8_t pattern = 0;
   std::size_t dyad = 0;
 
-  /// From 1.
-  [[nodiscard]] double number(const ArmTask& task) const {
-    return static_cast<double>(1 + pattern * dyads_of_pattern(task) + dyad);
+  [[nodiscard]] static Layer of(std::size_t index, std::size_t dyads_of_pattern) {
+    return {static_cast<std::uint8_t>(index / dyads_of_pattern), index % dyads_of_pattern};
   }
-  /// That of a coordinate; nothing on the branch where the best are.
-  [[nodiscard]] static std::optional<Layer> at(double coordinate, const ArmTask& task) {
-    if (!(coordinate >= 1 && coordinate < layer_count(task) + 1)) return std::nullopt;
-    const auto index = static_cast<std::size_t>(coordinate) - 1;
-    return Layer{static_cast<std::uint8_t>(index / dyads_of_pattern(task)), index % dyads_of_pattern(task)};
-  }
+  [[nodiscard]] std::size_t index(std::size_t dyads_of_pattern) const { return pattern * dyads_of_pattern + dyad; }
 };
+
+std::size_t ArmFamily::dyads_of_pattern() const { return dyads_of(*choice_); }
+
+// Nothing on the branch where the best are.
+std::optional<ArmFamily::Layer> ArmFamily::layer_at(MapPoint place) const {
+  const auto layer = [&](double index) { return Layer::of(static_cast<std::size_t>(index), dyads_of_pattern()); };
+  const MapAxis& along = axis(Side::input);
+  switch (choice_->layers()) {
+    case LayersOf::nothing:
+      return Layer{};
+    case LayersOf::output_branch:
+      return layer(std::clamp(place.output, 0.0, axis(Side::output).coordinate_length() - 0.5));
+    default:
+      if (!(place.input >= 1 && place.input < along.layers + 1)) return std::nullopt;
+      return layer(place.input - 1);
+  }
+}
+
+MapPoint ArmFamily::in_layer(MapPoint place, Layer layer) const {
+  const auto index = static_cast<double>(layer.index(dyads_of_pattern()));
+  switch (choice_->layers()) {
+    case LayersOf::nothing:
+      return place;
+    case LayersOf::output_branch:
+      return {place.input, index + 0.5};
+    default:
+      return {1 + index + place.input - std::floor(place.input), place.output};
+  }
+}
+
+MapPoint ArmFamily::without_layer(MapPoint place) const {
+  if (choice_->layers() == LayersOf::input_axis) place.input = axis(Side::input).onto(place.input);
+  return place;
+}
 
 struct ArmFamily::Found {
   MapPoint place;  ///< in its layer
@@ -136,15 +133,23 @@ class ArmFamily::Solver {
   Solver(const ArmFamily& family, bool respect_direction, Simd simd)
       : family_(family), task_(family.task_), respect_direction_(respect_direction), dyads_(simd) {}
 
-  /// `place`: on the map. Only the dyad of that number, where there is one.
-  void add(std::size_t tag, MapPoint place, const ArmElbows& elbows, const ElbowPattern& pattern,
-           std::optional<std::size_t> dyad, const Take& take) {
-    Arms arms{tag, place, pattern, dyad, arm_motion(task_.pivot, task_.path, elbows, pattern)};
+  /// `place`: on the map. Only the dyad of that number, where there is one. Where the arm drives and does not come in
+  /// order nothing is solved, unless that is to be seen. False where nothing was added.
+  bool add(std::size_t tag, MapPoint place, const ArmAtPlace& here, const ElbowPattern& pattern,
+           std::optional<std::size_t> dyad, bool out_of_order_too, const Take& take) {
+    Arms arms{tag, place, pattern, dyad, here.arm.pivot, arm_motion(here.arm, task_.path, here.elbows, pattern), {}};
+    if (family_.has_twice(arms.motion)) return false;
+    if (task_.side == Side::input) arms.senses = of_arm(arms);
+    if (family_.only_in_order_ && !out_of_order_too && arms.senses.all == 0) return false;
     const ConditionRows rows = condition_rows(task_.path, arms.motion);
-    if (task_.other) return take_dyad(arms, 0, partner_of(rows, *task_.other), take);
-    dyads_.add(rows, task_.pivot, task_.pivot + arms.motion.link.front());
+    if (here.other) {
+      take_dyad(arms, 0, other_link(here, rows), take);
+      return true;
+    }
+    dyads_.add(rows, arms.pivot, arms.pivot + arms.motion.link.front());
     waiting_.push_back(std::move(arms));
     if (dyads_.is_full()) finish(take);
+    return true;
   }
   void finish(const Take& take) {
     if (waiting_.empty()) return;
@@ -158,35 +163,41 @@ class ArmFamily::Solver {
   }
 
  private:
+  struct Senses {
+    std::uint8_t all = 0, half_turn = 0;
+  };
   struct Arms {
     std::size_t tag;
     MapPoint place;
     ElbowPattern pattern;
     std::optional<std::size_t> dyad;
+    Point pivot;
     ArmMotion motion;
-  };
-  struct Senses {
-    std::uint8_t all = 0, half_turn = 0;
+    Senses senses;  ///< of an arm that drives
   };
 
   [[nodiscard]] std::size_t count() const { return task_.path.size(); }
+
+  [[nodiscard]] static Dyad other_link(const ArmAtPlace& here, const ConditionRows& rows) {
+    if (!here.other_moving) return partner_of(rows, *here.other);
+    return {Homogeneous::of(*here.other), Homogeneous::of(*here.other_moving), 0};
+  }
 
   void take_dyad(const Arms& arms, std::size_t number, const Dyad& other, const Take& take) const {
     if (arms.dyad && *arms.dyad != number) return;
     const auto center = finite_point(other.center), circle = finite_point(other.circle);
     if (!center || !circle) return;  // a slider
-    LinkInPositions arm{task_.pivot, task_.pivot + arms.motion.link[0], arms.motion.link};
+    LinkInPositions arm{arms.pivot, arms.pivot + arms.motion.link[0], arms.motion.link};
     LinkInPositions found{*center, *circle, {}};
     for (std::size_t j = 0; j < count(); ++j)
-      found.arm[j] = task_.path[j].front() + arms.motion.turn[j] * *circle - *center;
+      found.arm[j] = task_.path[j].jet.front() + arms.motion.turn[j] * *circle - *center;
     const bool arm_drives = task_.side == Side::input;
     const LinkInPositions& driver = arm_drives ? arm : found;
-    const Senses senses = arm_drives ? of_arm(arms) : of_other(arms.motion, found);
+    const Senses senses = arm_drives ? arms.senses : of_other(arms.motion, found);
     const PairJudgement judged = judge_pair(driver, arm_drives ? found : arm, count(), senses.all, senses.half_turn);
     if (judged.type == LinkageType::degenerate) return;
     Found made;
-    made.place = {Layer{arms.pattern.bits, number}.number(task_) + arms.place.input - std::floor(arms.place.input),
-                  arms.place.output};
+    made.place = family_.in_layer(arms.place, {arms.pattern.bits, number});
     made.bars = arm_drives ? FourBar{arm.center, arm.circle, *center, *circle}
                            : FourBar{*center, *circle, arm.center, arm.circle};
     made.judged = judged;
@@ -204,20 +215,31 @@ class ArmFamily::Solver {
     made.score = family_.rank_.score(scratch_);
   }
 
+  // Where all points are plain the pattern has them.
   [[nodiscard]] Senses of_arm(const Arms& arms) const {
     Senses senses{arms.pattern.senses, arms.pattern.half_turn_senses};
+    if (family_.plain_count_ < count()) senses = of_turns(arms.motion.link);
     for (std::size_t j = 0; j < arms.motion.rates.size() && respect_direction_; ++j)
-      if (const auto& rates = arms.motion.rates[j].link; !rates.empty())
-        senses.all &= rates.front() > 0 ? DriverSequence::ccw_bit : DriverSequence::cw_bit;
+      if (const auto& rates = arms.motion.rates[j].link; !rates.empty()) senses.all &= bit_of(rates.front());
+    if (task_.sense) senses.all &= bit_of(*task_.sense);
     return senses;
+  }
+  [[nodiscard]] Senses of_turns(const std::array<Point, ArmElbows::most_points>& link) const {
+    DriverSequenceBuilder order;
+    for (std::size_t j = 0; j < count(); ++j)
+      order.meet(j == 0 ? 0 : wrap_positive(std::arg(link[j] * std::conj(link[0]))));
+    return {order.sequence().senses(), order.sequence().half_turn_senses()};
+  }
+  [[nodiscard]] static std::uint8_t bit_of(double rate) {
+    return rate > 0 ? DriverSequence::ccw_bit : DriverSequence::cw_bit;
   }
   [[nodiscard]] Senses of_other(const ArmMotion& motion, const LinkInPositions& link) const {
     DriverSequenceBuilder order;
     for (std::size_t j = 0; j < count(); ++j) {
       order.meet(j == 0 ? 0 : wrap_positive(std::arg(link.arm[j] * std::conj(link.arm[0]))));
       if (motion.rates.empty() || motion.rates[j].body.empty() || !respect_direction_) continue;
-      const Point from_point = link.center + link.arm[j] - task_.path[j].front();
-      order.pass(cross(link.arm[j], task_.path[j][1] + Point{0, motion.rates[j].body.front()} * from_point));
+      const Point from_point = link.center + link.arm[j] - task_.path[j].jet.front();
+      order.pass(cross(link.arm[j], task_.path[j].jet[1] + Point{0, motion.rates[j].body.front()} * from_point));
     }
     return {order.sequence().senses(), order.sequence().half_turn_senses()};
   }
@@ -232,68 +254,65 @@ class ArmFamily::Solver {
 
 // ---- the family -----------------------------------------------------------------------------------------------------
 
-ArmFamily::ArmFamily(const PathTask& task, const Requirements& requirements, Objective objective)
-    : ArmFamily(arm_task(task), requirements, objective) {}
-
-ArmFamily::ArmFamily(ArmTask task, const Requirements& requirements, Objective objective)
-    : PathFamily(task.frame, arm_axis(task), {AxisQuantity::arm_difference, {{"", 0, 1}}}),
+ArmFamily::ArmFamily(ArmTask task, std::shared_ptr<const ArmChoice> choice, const Requirements& requirements,
+                     Objective objective)
+    : PathFamily(task.frame, with_layers(choice->axis(Side::input), layer_count(task, *choice)),
+                 choice->axis(Side::output)),
       task_(std::move(task)),
-      reach_(task_.pivot, places_of(task_.path)),
+      choice_(std::move(choice)),
+      plain_count_(task_.plain_places().size()),
       requirements_(requirements),
-      judge_(requirements, path_linkages, arm_measures),
-      rank_(rank_of(objective, arm_measures)),
+      judge_(requirements, path_linkages, measures()),
+      rank_(rank_of(objective, measures())),
       only_in_order_(task_.side == Side::input && requirements.no_defects) {
   for (std::size_t i = 0; i < task_.path.size(); ++i)
     for (std::size_t j = i + 1; j < task_.path.size(); ++j)
-      if (std::abs(task_.path[i].front() - task_.path[j].front()) <= tolerance::repeated_pose)
+      if (std::abs(task_.path[i].jet.front() - task_.path[j].jet.front()) <= tolerance::repeated_pose)
         repeated_.push_back({i, j});
 }
 
-std::span<const Measure> ArmFamily::measures() const { return arm_measures; }
-
-double ArmFamily::axis_value(Side side, double coordinate) const {
-  return side == Side::input ? axis(side).onto(coordinate) : 2 * coordinate - 1;
+bool ArmFamily::is_timed() const {
+  return std::all_of(task_.path.begin(), task_.path.end(),
+                     [](const PathPlace& place) { return place.known == PathPlace::Angle::of_link; });
 }
 
-// With equal elbows it would have the same position twice.
-bool ArmFamily::is_repeated(const ElbowPattern& pattern) const {
+std::span<const Measure> ArmFamily::measures() const {
+  if (choice_->layers() == LayersOf::input_axis) return arm_measures;
+  return planar_measures;
+}
+
+double ArmFamily::axis_value(Side side, double coordinate) const {
+  return choice_->axis_value(side, side == Side::input ? without_layer({coordinate, 0}).input : coordinate);
+}
+
+// It would have the same position twice.
+bool ArmFamily::has_twice(const ArmMotion& motion) const {
   return std::any_of(repeated_.begin(), repeated_.end(), [&](const std::array<std::size_t, 2>& same) {
-    return ((pattern.bits >> same[0]) & 1) == ((pattern.bits >> same[1]) & 1);
+    return std::abs(motion.link[same[0]] - motion.link[same[1]]) <= tolerance::repeated_pose;
   });
 }
 
-namespace {
-
-/// The elbows of the arm at a place; nothing off the rectangle of arms.
-std::optional<ArmElbows> arm_elbows(const ArmReach& reach, const MapAxis& input, MapPoint place) {
-  const double u = input.onto(place.input), v = 2 * place.output - 1;
-  if (!(u > 0 && u <= 1 && v >= -1 && v <= 1)) return std::nullopt;
-  return reach.elbows(reach.arm(u, v));
-}
-
-}  // namespace
-
-// Patterns of which the arm does not come in order need not be solved.
 void ArmFamily::add_all(Solver& solver, std::size_t tag, MapPoint place, const Take& take) const {
-  const auto elbows = arm_elbows(reach_, axis(Side::input), place);
-  if (!elbows) return;
-  if (const auto layer = Layer::at(place.input, task_)) {
-    const ElbowPattern pattern = elbow_pattern(*elbows, layer->pattern);
-    if (!is_repeated(pattern)) solver.add(tag, place, *elbows, pattern, layer->dyad, take);
+  const auto here = choice_->at(without_layer(place));
+  if (!here) return;
+  if (const auto layer = layer_at(place)) {
+    const auto pattern = elbow_pattern(here->elbows, here->bits.value_or(layer->pattern));
+    solver.add(tag, place, *here, pattern, layer->dyad, true, take);
     return;
   }
-  for_elbow_patterns(*elbows, only_in_order_, [&](const ElbowPattern& pattern) {
-    if (!is_repeated(pattern)) solver.add(tag, place, *elbows, pattern, std::nullopt, take);
+  const bool prune_early = only_in_order_ && plain_count_ == task_.path.size();
+  for_elbow_patterns(here->elbows, prune_early, [&](const ElbowPattern& pattern) {
+    solver.add(tag, place, *here, pattern, std::nullopt, false, take);
   });
 }
 
 // Where no pattern is in order, one of them shows what is wrong with all.
 void ArmFamily::add_any(Solver& solver, std::size_t tag, MapPoint place, const Take& take) const {
-  const auto elbows = arm_elbows(reach_, axis(Side::input), place);
-  if (!elbows || Layer::at(place.input, task_)) return;
-  for (std::size_t bits = 0; bits < pattern_count(elbows->points); ++bits) {
-    const ElbowPattern pattern = elbow_pattern(*elbows, static_cast<std::uint8_t>(bits));
-    if (!is_repeated(pattern)) return solver.add(tag, place, *elbows, pattern, std::nullopt, take);
+  const auto here = choice_->at(without_layer(place));
+  if (!here || layer_at(place)) return;
+  for (std::size_t bits = 0; bits < pattern_count(here->elbows.points); ++bits) {
+    const auto pattern = elbow_pattern(here->elbows, static_cast<std::uint8_t>(bits));
+    if (solver.add(tag, place, *here, pattern, std::nullopt, true, take)) return;
   }
 }
 
@@ -341,7 +360,7 @@ std::optional<DyadPair> ArmFamily::dyad_pair(MapPoint place) const {
 void ArmFamily::fill(RegionMap& map, std::span<const double> input, std::span<const double> output,
                      bool respect_direction, const RegionOptions& options, const Progress& progress) const {
   constexpr bool of_pairs = false;
-  map.lay(input, output, arm_measures, of_pairs, options);
+  map.lay(input, output, measures(), of_pairs, options);
   map.give_each_cell_a_driver();
   parallel_for(map.rows(), options.threads, [&](std::size_t begin, std::size_t end) {
     std::vector<MapPoint> places(output.size());
@@ -356,7 +375,7 @@ void ArmFamily::fill(RegionMap& map, std::span<const double> input, std::span<co
         const MapCell cell = best[column]->verdict(frame().scale);
         cells.type[column] = static_cast<std::uint8_t>(cell.type);
         cells.defects[column] = cell.defects.bits;
-        for (std::size_t k = 0; k < arm_measures.size(); ++k)
+        for (std::size_t k = 0; k < measures().size(); ++k)
           cells.measures[k][column] = static_cast<float>(cell.values[k]);
         map.set_driver(row, column, best[column]->travel());
       }
@@ -366,50 +385,50 @@ void ArmFamily::fill(RegionMap& map, std::span<const double> input, std::span<co
 
 // ---- linkages of a map ----------------------------------------------------------------------------------------------
 
-namespace {
-
-// That of the linkage which a cell shows.
-MapPoint place_in_layer(const RegionMap& map, std::size_t row, std::size_t column) {
+// The place of the linkage that a cell shows.
+MapPoint ArmFamily::shown_at(const RegionMap& map, std::size_t row, std::size_t column) const {
+  const MapPoint place{map.input_coordinates()[row], map.output_coordinates()[column]};
+  if (choice_->layers() != LayersOf::input_axis) return place;
   const double layer = static_cast<double>(map.values(measures::layer)[map.index(row, column)]);
-  const double coordinate = map.input_coordinates()[row];
-  return {layer + coordinate - std::floor(coordinate), map.output_coordinates()[column]};
+  return {layer + place.input - std::floor(place.input), place.output};
 }
-
-}  // namespace
 
 MapPivots ArmFamily::pivots(const RegionMap& map) const {
   MapPivots pivots;
   pivots.of_cell = [this, &map](std::size_t row, std::size_t column) -> std::optional<Pivots> {
-    const auto links = dyad_pair(place_in_layer(map, row, column));
+    const auto links = dyad_pair(shown_at(map, row, column));
     return links ? std::optional(pivots_of(frame().to_user(*four_bar_of(*links)))) : std::nullopt;
   };
   return pivots;
 }
 
 LinkageFamily::OutputOfCells ArmFamily::outputs_of(const RegionMap& map) const {
-  return [this, &map](std::size_t row, std::size_t column) { return output(place_in_layer(map, row, column)); };
+  return [this, &map](std::size_t row, std::size_t column) { return output(shown_at(map, row, column)); };
 }
 
 std::string ArmFamily::elbows_at(MapPoint place) const {
-  const auto layer = Layer::at(place.input, task_);
-  if (!layer) return {};
+  const auto here = choice_->at(without_layer(place));
+  const auto layer = layer_at(place);
+  if (!layer || !here || plain_count_ == 0) return {};
+  const std::uint8_t bits = here->bits.value_or(layer->pattern);
   std::string sides;
-  for (std::size_t j = 0; j < task_.path.size(); ++j) sides += (layer->pattern >> j) & 1 ? '-' : '+';
-  return task_.other ? sides : fmt::format("{} {}", sides, layer->dyad + 1);
+  for (std::size_t j = 0; j < plain_count_; ++j) sides += (bits >> j) & 1 ? '-' : '+';
+  return here->other ? sides : fmt::format("{} {}", sides, layer->dyad + 1);
 }
 
 // ---- one linkage ----------------------------------------------------------------------------------------------------
 
 std::optional<ArmMotion> ArmFamily::motion_at(MapPoint place) const {
-  if (!Layer::at(place.input, task_)) {
+  if (!layer_at(place)) {
     const auto links = dyad_pair(place);
     if (!links) return std::nullopt;
     place.input = links->input.coordinate;
   }
-  const auto layer = Layer::at(place.input, task_);
-  const auto elbows = arm_elbows(reach_, axis(Side::input), place);
-  if (!layer || !elbows) return std::nullopt;
-  return arm_motion(task_.pivot, task_.path, *elbows, elbow_pattern(*elbows, layer->pattern));
+  const auto layer = layer_at(place);
+  const auto here = choice_->at(without_layer(place));
+  if (!layer || !here) return std::nullopt;
+  return arm_motion(here->arm, task_.path, here->elbows,
+                    elbow_pattern(here->elbows, here->bits.value_or(layer->pattern)));
 }
 
 std::vector<PrescribedPose> ArmFamily::working_poses(MapPoint place, const FourBar& bars) const {
@@ -441,10 +460,12 @@ std::vector<double> crank_rates(const PrescribedPose& there, Point crank, Point 
 
 }  // namespace
 
+// In the sense of the task where it has one; otherwise in that in which it meets the points in order.
 std::vector<PrescribedPose> ArmFamily::crank_poses(MapPoint place, const FourBar& bars) const {
   std::vector<PrescribedPose> poses = user_poses(place, bars);
   if (poses.empty()) return poses;
   const DriverSequence order = driver_sequence(bars.input_fixed, bars.input_moving, poses, true);
+  const bool goes_ccw = task_.sense ? *task_.sense > 0 : order.ccw, goes_cw = task_.sense ? *task_.sense < 0 : order.cw;
   const Pose first = poses.front().pose;
   const Point first_crank = bars.input_moving - bars.input_fixed;
   for (PrescribedPose& there : poses) {
@@ -452,7 +473,7 @@ std::vector<PrescribedPose> ArmFamily::crank_poses(MapPoint place, const FourBar
     const bool is_first = &there == &poses.front();
     const double ccw = is_first ? 0 : wrap_positive(std::arg(crank * std::conj(first_crank)));
     const std::vector<double> rates = crank_rates(there, crank, there.pose.origin - moving);
-    there.pose.angle = order.ccw || is_first ? ccw : order.cw ? ccw - two_pi : wrap_signed(ccw);
+    there.pose.angle = goes_ccw || is_first ? ccw : goes_cw ? ccw - two_pi : wrap_signed(ccw);
     for (std::size_t m = 0; m < rates.size(); ++m) there.derivatives[m].angle = rates[m];
   }
   return poses;
@@ -468,14 +489,19 @@ std::optional<double> ArmFamily::rate_residual(MapPoint place) const {
 
 TaskFamily family_of_arms(const PathTask& task, const Requirements& requirements, Objective objective) {
   ArmTask arms = arm_task(task);
+  ArmChoiceSetup setup = arm_choice(task, arms);
   TaskFamily given;
   given.pattern = pattern(task.points);
   given.conditions.frame = arms.frame;
   given.size = given.frame().scale;
   given.has_directions = std::any_of(task.points.begin(), task.points.end(),
                                      [](const PathPoint& point) { return !point.derivatives.empty(); });
-  given.paths =
-      std::make_shared<const ArmFamily>(std::move(arms), with_default_lengths(requirements, given.size), objective);
+  given.warnings = std::move(setup.warnings);
+  given.degeneracy = std::move(setup.degeneracy);
+  given.has_no_dyads = setup.has_none;
+  if (!setup.choice) return given;
+  given.paths = std::make_shared<const ArmFamily>(std::move(arms), std::move(setup.choice),
+                                                  with_default_lengths(requirements, given.size), objective);
   given.family = given.paths;
   return given;
 }

@@ -5,38 +5,27 @@
 #include <span>
 #include <vector>
 
-#include "arm_motion.hpp"
-#include "arm_reach.hpp"
+#include "arm_choice.hpp"
 #include "core/function_ref.hpp"
 #include "linkwright/region/cell_judge.hpp"
 #include "path_family.hpp"
 
 namespace linkwright {
 
-/// What is given of points alone. The arm: the link with the given pivot (of both the input's), and the coupler from
-/// there to the point.
-struct ArmTask {
-  WorkingFrame frame;
-  std::vector<PathPoint> points;  ///< user's frame
-  std::vector<PathJet> path;      ///< working frame, its origin being the first place
-  Point pivot{};                  ///< working frame
-  Side side = Side::input;        ///< of the arm
-  std::optional<Point> other;     ///< the other link's ground pivot, where it is given, too
-};
-
-/// The four-bars whose coupler point passes places, a ground pivot being given with five positions, or both with three:
-/// rows and columns of their map are the arms that reach all places (ArmReach). At each there are several, in layers:
-/// for every way in which the elbow can stand at the places the further dyads, of five positions three at most. A place
-/// of the map stands for the best of them: one that meets the requirements, or one without defects.
+/// The four-bars whose coupler point passes places, one link of which is settled before the other: at each place of the
+/// map stands an arm (ArmChoice). To each there are several, in layers: for every way in which its elbow can stand at
+/// the points without an angle the further dyads, of five positions three at most, or the one with a given ground
+/// pivot. A place of the map stands for the best of them: one that meets the requirements, or one without defects.
 class ArmFamily : public PathFamily {
  public:
-  /// `task`: untimed, without mistakes; requirements with default lengths filled in.
-  ArmFamily(const PathTask& task, const Requirements& requirements, Objective objective);
-  ArmFamily(ArmTask task, const Requirements& requirements, Objective objective);
+  /// Of a task without mistakes, of any form but PathForm::cranks; requirements with default lengths filled in.
+  ArmFamily(ArmTask task, std::shared_ptr<const ArmChoice> choice, const Requirements& requirements,
+            Objective objective);
 
-  [[nodiscard]] bool is_timed() const override { return false; }
+  [[nodiscard]] bool is_timed() const override;
 
   [[nodiscard]] double axis_value(Side side, double coordinate) const override;
+  /// With the layer where the map has layers.
   [[nodiscard]] std::span<const Measure> measures() const override;
   [[nodiscard]] CellAt cells(bool respect_direction) const override;
   /// With the layer, as its linkage.
@@ -62,17 +51,24 @@ class ArmFamily : public PathFamily {
 
   using Take = FunctionRef<void(std::size_t tag, const Found& found)>;
 
+  [[nodiscard]] std::size_t dyads_of_pattern() const;
+  [[nodiscard]] std::optional<Layer> layer_at(MapPoint place) const;
+  [[nodiscard]] MapPoint in_layer(MapPoint place, Layer layer) const;
+  [[nodiscard]] MapPoint without_layer(MapPoint place) const;
+  [[nodiscard]] MapPoint shown_at(const RegionMap& map, std::size_t row, std::size_t column) const;
+
   void add_all(Solver& solver, std::size_t tag, MapPoint place, const Take& take) const;
   void add_any(Solver& solver, std::size_t tag, MapPoint place, const Take& take) const;
   [[nodiscard]] std::vector<std::optional<Found>> best_of(std::span<const MapPoint> places, bool respect_direction,
                                                           Simd simd) const;
   [[nodiscard]] std::optional<ArmMotion> motion_at(MapPoint place) const;
-  [[nodiscard]] bool is_repeated(const ElbowPattern& pattern) const;
+  [[nodiscard]] bool has_twice(const ArmMotion& motion) const;
   void fill(RegionMap& map, std::span<const double> input, std::span<const double> output, bool respect_direction,
             const RegionOptions& options, const Progress& progress) const override;
 
   ArmTask task_;
-  ArmReach reach_;
+  std::shared_ptr<const ArmChoice> choice_;
+  std::size_t plain_count_;  ///< of points where no angle is known
   Requirements requirements_;
   CellJudge judge_;
   Rank rank_;
@@ -80,11 +76,7 @@ class ArmFamily : public PathFamily {
   std::vector<std::array<std::size_t, 2>> repeated_;  ///< points at one place
 };
 
-/// Of an untimed task without mistakes. The frame's unit is the root of the mean square of the points' distances from
-/// their centroid.
-[[nodiscard]] ArmTask arm_task(const PathTask& task);
-
-/// As task_family(), of a task without angles of the crank.
+/// As task_family(), of a task of any form but PathForm::cranks.
 [[nodiscard]] TaskFamily family_of_arms(const PathTask& task, const Requirements& requirements, Objective objective);
 
 }  // namespace linkwright

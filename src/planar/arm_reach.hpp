@@ -1,6 +1,7 @@
 #pragma once
 
 #include <array>
+#include <cmath>
 #include <cstddef>
 #include <cstdint>
 #include <span>
@@ -46,6 +47,11 @@ class ArmReach {
   [[nodiscard]] Arm arm(double u, double v) const;
   /// Of an arm that reaches all points, from the fixed pivot to the moving one.
   [[nodiscard]] ArmElbows elbows(const Arm& arm) const;
+
+  /// It reaches all points.
+  [[nodiscard]] bool contains(const Arm& arm) const {
+    return arm.reach + arm.link >= largest_ && std::abs(arm.reach - arm.link) <= least_;
+  }
 
   [[nodiscard]] double least() const { return least_; }
   [[nodiscard]] double largest() const { return largest_; }

@@ -20,7 +20,7 @@ class PathFamily : public FourBarFamily {
 
   [[nodiscard]] const LinkageClass& linkages() const override { return path_linkages; }
 
-  /// The cranks are given, and each linkage has a cognate with the same path and timing.
+  /// The crank is given at all points, and each linkage has a cognate with the same path and timing.
   [[nodiscard]] virtual bool is_timed() const = 0;
   /// A body that turns with the crank of the bars at a place and is carried by the point, in all positions; user's
   /// frame, angles in the sense in which the crank passes them.
@@ -31,10 +31,13 @@ class PathFamily : public FourBarFamily {
 
   /// All linkages at a place, those of several layers with the coordinates of theirs, the best first.
   [[nodiscard]] virtual std::vector<Cell> all_at(MapPoint place, bool respect_direction) const;
-  /// On which side of the line from the given pivot to each point the elbow of the arm stands, "+" left as one looks
-  /// along it to the point or "-", and by its number which of the further dyads: "+-++- 2". Empty where nothing
+  /// On which side of the line from the arm's pivot to each point without an angle its elbow stands, "+" left as one
+  /// looks along it to the point or "-", and by its number which of the further dyads: "+-++- 2". Empty where nothing
   /// is to be told.
   [[nodiscard]] virtual std::string elbows_at(MapPoint /*place*/) const { return {}; }
+
+  /// Where all linkages stand of a task that leaves but a few of them; otherwise nothing.
+  [[nodiscard]] std::vector<MapPoint> few_places() const;
 
   [[nodiscard]] LinkageOutput output_of(MapPoint place, const FourBar& bars) const override;
   [[nodiscard]] std::optional<LinkageOutput> output_form() const override;
@@ -42,9 +45,9 @@ class PathFamily : public FourBarFamily {
   [[nodiscard]] std::shared_ptr<const FourBarCells> four_bar_cells(const RegionMap& map) const override;
 };
 
-/// What a path task says before its linkages are classified. Of a timed one `conditions`, `curve` and `points` are
-/// those of its cranks as dyads; `derivative_rows` stays empty: PathFamily::rate_residual(). Requirements and objective
-/// choose which of several linkages at a place stands for them. `task` without mistakes.
+/// What a path task says before its linkages are classified. Where its form is that of cranks `conditions`, `curve` and
+/// `points` are those of the cranks as dyads; `derivative_rows` stays empty: PathFamily::rate_residual(). Requirements
+/// and objective choose which of several linkages at a place stands for them. `task` without mistakes.
 [[nodiscard]] TaskFamily task_family(const PathTask& task, const Requirements& requirements, Objective objective);
 
 }  // namespace linkwright

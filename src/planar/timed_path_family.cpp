@@ -104,7 +104,7 @@ bool is_of_cranks(const Notice& notice) { return notice.code != "parallel_poses"
 TimedPathFamily::TimedPathFamily(const PathTask& task, std::shared_ptr<const FourBarFamily> cranks)
     : PathFamily(cranks->frame(), cranks->axis(Side::input), cranks->axis(Side::output)),
       cranks_(std::move(cranks)),
-      user_poses_(linkwright::crank_poses(task)),
+      user_poses_(angled_poses(task)),
       working_poses_(frame().to_working(user_poses_)),
       derivative_rows_(derivative_conditions(user_poses_, frame())) {}
 
@@ -181,7 +181,7 @@ void TimedPathFamily::fill(RegionMap& map, std::span<const double> input, std::s
 
 // The cranks are the dyads of a motion task.
 TaskFamily family_of_timed(const PathTask& task) {
-  TaskFamily given = task_family(MotionTask{crank_poses(task), {}, {}, {}, {}}, Requirements{}, Objective{});
+  TaskFamily given = task_family(MotionTask{angled_poses(task), {}, {}, {}, {}}, Requirements{}, Objective{});
   given.derivative_rows.clear();
   std::erase_if(given.warnings, [](const Notice& notice) { return !is_of_cranks(notice); });
   std::transform(given.warnings.begin(), given.warnings.end(), given.warnings.begin(), of_points);

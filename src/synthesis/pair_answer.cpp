@@ -57,16 +57,13 @@ auto all_pairs(const KindAnswer& answer) {
   return pairs;
 }
 
-// Of a few cranks: every linkage. A pair and its reverse are cognates, both of which there are.
+// Every linkage, where there are a few.
 std::vector<FourBarSolution> all_pairs(const PathAnswer& answer) {
-  const std::vector<double> places = answer.family()->samples(Side::input, 0, Spacing::coordinate);
-  std::vector<FourBarSolution> pairs;
-  for (const double crank : places)
-    for (const double cognate : places)
-      if (auto found = crank == cognate ? std::nullopt : linkage_at(answer, {crank, cognate}))
-        pairs.push_back(*std::move(found));
-  std::sort(pairs.begin(), pairs.end(), [](const auto& a, const auto& b) { return is_better_linkage(a, b); });
-  return pairs;
+  std::vector<FourBarSolution> all;
+  for (const MapPoint place : answer.given.paths->few_places())
+    if (auto found = linkage_at(answer, place)) all.push_back(*std::move(found));
+  std::sort(all.begin(), all.end(), [](const auto& a, const auto& b) { return is_better_linkage(a, b); });
+  return all;
 }
 
 // What turning the crank shows of a path, which knows the pivots and the point alone.
@@ -165,6 +162,12 @@ void look_at_map(FourBarAnswer& answer) {
 void look_at_map(SphericalAnswer& /*answer*/) {}
 
 template <class KindAnswer>
+bool leaves_few(const KindAnswer& answer) {
+  return !answer.given.points.empty() && !answer.given.curve;
+}
+bool leaves_few(const PathAnswer& answer) { return !answer.given.paths->few_places().empty(); }
+
+template <class KindAnswer>
 void list_there(KindAnswer& answer) {
   list_what_is_there(answer, *answer.given.family,
                      [&](MapPoint place, const auto& /*failed*/) { return linkage_at(answer, place); });
@@ -200,7 +203,7 @@ bool find_pairs(KindAnswer& answer, const TaskWords& words, const Progress& prog
   const CountedRegion counted = count_region(
       answer, family, {answer.options.region_samples, answer.options.window, samples_inside(given)}, progress);
   look_at_map(answer);
-  if (!given.points.empty() && !given.curve) answer.pairs = all_pairs(answer);
+  if (leaves_few(answer)) answer.pairs = all_pairs(answer);
   if (answer.options.at) {
     list_there(answer);
   } else {
@@ -343,7 +346,8 @@ Result<Answer> solve_of_kind(const FunctionTask& task, const Requirements& requi
 Result<Answer> solve_of_kind(const PathTask& task, const Requirements& requirements, const SynthesisOptions& options,
                              const Progress& progress) {
   PathAnswer answer = begin_answer(task, requirements, options, progress);
-  if (!find_pairs(answer, path_words, progress)) return cancelled();
+  const TaskWords& words = task.timing() == PathTiming::none ? path_words : timed_path_words;
+  if (!find_pairs(answer, words, progress)) return cancelled();
   return Answer(std::move(answer));
 }
 

@@ -24,10 +24,14 @@ inline constexpr TaskWords function_words = {
 inline constexpr TaskWords spherical_function_words = {"spherical four-bars that generate all pairs", "four-bars",
                                                        function_words.lock, function_words.ways_out};
 
-inline constexpr TaskWords path_words = {
+inline constexpr TaskWords timed_path_words = {
     "four-bars whose point passes all points at the angles given", "four-bars", "lock between two points (branch)",
     "Try other angles of the crank, move a point, {}or allow a defect (no_defects: false).",
     "have a crank that cannot turn from the first point to the last in its sense"};
+
+inline constexpr TaskWords path_words = {
+    "four-bars whose point passes all points", "four-bars", timed_path_words.lock,
+    "Move a point or what is given beside the points, {}or allow a defect (no_defects: false)."};
 
 inline constexpr TaskWords spherical_words = {
     "spherical four-bars that pass through all orientations", "four-bars", "lock between two orientations (branch)",

@@ -43,7 +43,7 @@ BEYOND_STRUCTURE = ("same", "above the upper", "max_length", "at infinity", "in 
                     "at one place", "sort them", "is empty", "cannot reach", "on one line", "coincide", "the elbow is",
                     "are given and four or five are needed", "add up to", "by rising s", "a tenth of the stroke",
                     "lies on the line", "is where the coupler point is", "above the largest", "keep x within", "are the most that",
-                    "turn back after", "against the sense")
+                    "turn back after", "against the sense", "and four with one")
 
 
 def validator(name):
@@ -255,8 +255,10 @@ class Schemas(FaceTest):
                     self.problem.validate(result["problem"])
 
     def test_of_paths_too(self):
-        task = load(ROOT / "data/path/thread_takeup_timed_mixed.json")["task"]
-        self.check_changes_of({"linkwright": 1, "task": task}, below=("task", "points"))
+        for name in ("thread_takeup_timed_mixed", "feeder_three_poses_two_points", "walking_leg_pivots_five"):
+            task = load(ROOT / f"data/path/{name}.json")["task"]
+            below = ("task", "given", "ground_pivots") if "given" in task else ("task", "points")
+            self.check_changes_of({"linkwright": 1, "task": task}, below=below)
 
     def test_of_straight_lines_too(self):
         for name in ("four_point_pivots", "mixed", "symmetric_lambda_of_a_range"):
@@ -498,6 +500,15 @@ def problems_with_everything():
                            "free": {"number": "pair_output", "pair": 2, "range": [10, 20]}})
     yield "about a centre", problem({"kind": "function", "mechanism": "spherical_four_bar", "ground_angle_deg": 60,
                                      "function": dials | {"expression": "x^2", "x": [0, 1], "points": 4}})
+    for name in ("thread_takeup_timed_mixed", "dough_mixer_five_points", "wiper_pivots_three_points", "walking_leg_pivots_five",
+                 "feeder_three_poses_two_points", "tailgate_four_poses_one_point"):
+        task = load(ROOT / f"data/path/{name}.json")["task"]
+        if name.startswith("walking"):
+            task["points"][0]["derivatives"] = []
+        yield name, problem(task)
+    timed = [{"x": x, "y": y, "input_deg": turn} for x, y, turn in ((0, 9.5, 0), (0.1, 3.2, 35), (0, -9.5, 105))]
+    yield "timed about a pivot", problem({"kind": "path", "mechanism": "four_bar", "points": timed,
+                                          "given": {"ground_pivots": {"input": [40, 0]}}})
     chain = task_of("loader_bucket_chain")
     yield "chain", problem(chain | {"chain": chain["chain"] | {"elbow": [0, 0, 0, 0]}})
     turns = [{"matrix": [[0, -1, 0], [1, 0, 0], [0, 0, 1]]}, {"axis": [0, 1, 1], "angle_deg": 30}, {"quaternion": [1, 0.1, 0, 0]},

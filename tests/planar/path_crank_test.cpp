@@ -12,7 +12,7 @@ namespace {
 
 TEST(PathCrank, IsTheCrankOfTheCase) {
   const testing::PathCase c = testing::path_case("stirrer_timed_five");
-  const PoseConditions conditions = pose_conditions(crank_poses(c.task));
+  const PoseConditions conditions = pose_conditions(angled_poses(c.task));
   const BurmesterPoints found = burmester_points(conditions);
   for (const auto& crank : c.json.at("cranks")) {
     const auto is_it = [&](const BurmesterPoint& point) {

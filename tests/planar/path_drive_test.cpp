@@ -23,7 +23,7 @@ TEST(PathDrive, PassesWhereThereIsNoDefect) {
       const double size = bars.lengths().longest();
       const auto& defects = linkage.at("defects");
       const bool has_none = !defects["order"] && !defects["branch"] && !defects["circuit"];
-      const PathDrive found = drive_along_path(bars, c.task.points[0].point, crank_poses(c.task), near * size);
+      const PathDrive found = drive_along_path(bars, c.task.points[0].point, angled_poses(c.task), near * size);
       EXPECT_EQ(found.passes, has_none) << name << linkage.at("input").dump();
       ++(has_none ? clean : with_defects);
       if (!has_none) continue;
@@ -43,7 +43,7 @@ struct Claw {
   Point point = c.task.points[0].point;
 
   [[nodiscard]] PathDrive drive() const {
-    return drive_along_path(bars, point, crank_poses(c.task), near * bars.lengths().longest());
+    return drive_along_path(bars, point, angled_poses(c.task), near * bars.lengths().longest());
   }
 };
 
@@ -68,7 +68,7 @@ TEST(PathDrive, SeesThatThePointGoesAnotherWay) {
   testing::PathCase c = testing::path_case("thread_takeup_timed_mixed");
   const FourBar bars = testing::bars_of(c.json.at("linkages")[0]);
   const double tolerance = near * bars.lengths().longest();
-  const auto drive = [&] { return drive_along_path(bars, c.task.points[0].point, crank_poses(c.task), tolerance); };
+  const auto drive = [&] { return drive_along_path(bars, c.task.points[0].point, angled_poses(c.task), tolerance); };
   EXPECT_TRUE(drive().passes);
   EXPECT_LT(drive().direction_error, 1e-5);
   c.task.points[0].derivatives[0].point *= direction(0.1);

@@ -22,30 +22,85 @@ PathTask claw() { return timed_points({{0, 9.5, 0}, {0.1, 3.2, 35}, {0.1, -3.3, 
 TEST(PathTask, TakesFourAndFivePositionsOfAnyPattern) {
   EXPECT_EQ(codes(claw()), "");
   PathTask task = claw();
-  task.points[2].derivatives = {{{0, -1}, std::nullopt}};
+  task.points[2].derivatives = {{{0, -1}, {}, {}}};
   EXPECT_EQ(codes(task), "");
-  task.points[0].derivatives = {{{0, -1}, 1.0}};
+  task.points[0].derivatives = {{{0, -1}, 1.0, {}}};
   EXPECT_EQ(codes(task), "too_many_path_positions@points");
   task = claw();
   task.points.pop_back();
   EXPECT_EQ(codes(task), "too_few_path_points@points");
-  task.points[1].derivatives = {{{0, -1}, std::nullopt}};
+  task.points[1].derivatives = {{{0, -1}, {}, {}}};
   EXPECT_EQ(codes(task), "");
   task.points.pop_back();
   EXPECT_EQ(codes(task), "too_few_path_positions@points");
   EXPECT_EQ(codes(PathTask{}), "too_few_path_points@points");
 }
 
-TEST(PathTask, AsksForTheCrankAtEveryPoint) {
+TEST(PathTask, TakesAnglesAtSomePoints) {
   PathTask task = claw();
+  task.points.push_back({{3, 2}, {}, {}, {}});
+  EXPECT_EQ(codes(task), "");
+  EXPECT_EQ(task.timing(), PathTiming::some);
+  EXPECT_EQ(task.form(), PathForm::curve_of_arms);
+  task.points[1].input.reset();
+  EXPECT_EQ(codes(task), "");
+  EXPECT_EQ(task.form(), PathForm::ground_pivot);
+  task.pivots.input = Point{40, 0};
+  EXPECT_EQ(codes(task), "pivots_and_angles@given");
+  task = claw();
   task.points[2].input.reset();
-  EXPECT_EQ(codes(task), "untimed_point@points[2]");
+  EXPECT_EQ(codes(task), "mixed_path_count@points");
+  task.points[2].derivatives = {{{0, 1}, {}, {}}};
+  EXPECT_EQ(codes(task), "") << "two plain positions at one place";
+}
+
+PathTask posed() {
+  PathTask task;
+  for (const double x : {0.0, 100.0, 250.0}) task.points.push_back({{x, 10 + x * x / 900}, {}, -x / 200, {}});
+  return task;
+}
+
+TEST(PathTask, TakesAnglesOfTheCouplerAtSomePoints) {
+  PathTask task = posed();
+  EXPECT_EQ(codes(task), "path_of_poses@points");
+  for (const Point p : {Point{60, 150}, Point{260, 160}}) task.points.push_back({p, {}, {}, {}});
+  EXPECT_EQ(codes(task), "");
+  EXPECT_EQ(task.timing(), PathTiming::none);
+  EXPECT_EQ(task.form(), PathForm::ground_pivot);
+  task.points[4].input = 0.5;
+  EXPECT_EQ(codes(task), "path_angles_of_both_links@points[4]");
+  task.points[4].angle = 0.5;
+  EXPECT_EQ(codes(task), "path_point_with_both_angles@points[4]");
+  task.points[4].input.reset();
+  EXPECT_EQ(codes(task), "") << "four and one";
+  task.points[4] = task.points[1];
+  EXPECT_EQ(codes(task), "repeated_path_pose@points[4]");
+  task = posed();
+  task.points.push_back({{60, 150}, {}, {}, {}});
+  task.points[0].derivatives = {{{1, 2}, {}, {}}};
+  EXPECT_EQ(codes(task), "coupler_rate_missing@points[0].derivatives[0]");
+  task.points[0].derivatives[0].angle = 0.1;
+  EXPECT_EQ(codes(task), "");
+  task.points[3].derivatives = {{{1, 2}, {}, 0.1}};
+  EXPECT_EQ(codes(task), "rate_without_coupler_angle@points[3].derivatives[0].theta");
+}
+
+TEST(PathTask, TakesThreeTimedPointsWithPivots) {
+  PathTask task = claw();
+  task.pivots.input = Point{40, 0};
+  EXPECT_EQ(codes(task), "timed_count_for_pivots@points");
+  task.points.pop_back();
+  EXPECT_EQ(codes(task), "");
+  EXPECT_EQ(task.form(), PathForm::other_pivot);
+  task.pivots.output = Point{40, 60};
+  EXPECT_EQ(codes(task), "");
+  EXPECT_EQ(task.form(), PathForm::few);
 }
 
 PathTask mixer() {
   PathTask task;
   for (const Point p : {Point{0, 0}, Point{95, 40}, Point{150, 140}, Point{60, 230}, Point{-70, 190}})
-    task.points.push_back({p, std::nullopt, {}});
+    task.points.push_back({p, {}, {}, {}});
   task.pivots.input = Point{40, 90};
   return task;
 }
@@ -55,14 +110,18 @@ TEST(PathTask, TakesPointsAloneWithGroundPivots) {
   EXPECT_EQ(codes(task), "");
   task.pivots = {std::nullopt, Point{40, 90}};
   EXPECT_EQ(codes(task), "");
+  task.pivots.input = Point{0, 50};
+  EXPECT_EQ(codes(task), "") << "five and both";
+  EXPECT_EQ(task.form(), PathForm::few);
+  task.pivots.input.reset();
   task.points.pop_back();
   EXPECT_EQ(codes(task), "too_few_points_for_pivot@points");
-  task.points[2].derivatives = {{{0, 1}, std::nullopt}};
+  task.points[2].derivatives = {{{0, 1}, {}, {}}};
   EXPECT_EQ(codes(task), "");
   task.pivots.input = Point{0, 50};
-  EXPECT_EQ(codes(task), "too_many_points_for_pivots@points");
+  EXPECT_EQ(codes(task), "derivatives_between_pivots@points[2].derivatives");
   task.points.resize(3);
-  EXPECT_EQ(codes(task), "too_many_points_for_pivots@points");
+  EXPECT_EQ(codes(task), "four_points_for_pivots@points");
   task.points[2].derivatives.clear();
   EXPECT_EQ(codes(task), "");
 }
@@ -83,9 +142,9 @@ TEST(PathTask, RefusesPointsAloneThatMakeNoSense) {
   EXPECT_EQ(codes(task), "pivots_at_one_place@given.ground_pivots");
   task = mixer();
   task.points.pop_back();
-  task.points[1].derivatives = {{{1, 2}, 0.5}};
+  task.points[1].derivatives = {{{1, 2}, 0.5, {}}};
   EXPECT_EQ(codes(task), "rate_without_angle@points[1].derivatives[0].input");
-  task.points[1].derivatives = {{{0, 0}, std::nullopt}};
+  task.points[1].derivatives = {{{0, 0}, {}, {}}};
   EXPECT_EQ(codes(task), "point_at_rest@points[1].derivatives[0]");
   task = mixer();
   task.points[2].point = task.points[1].point;
@@ -96,9 +155,8 @@ TEST(PathTask, RefusesPointsAloneThatMakeNoSense) {
   task = mixer();
   task.points[2].point = task.points[0].point;
   EXPECT_EQ(codes(task), "");
-  task = claw();
-  task.pivots.input = Point{30, 0};
-  EXPECT_EQ(codes(task), "pivots_and_angles@given");
+  task.pivots.output = Point{300, 0};
+  EXPECT_EQ(codes(task), "repeated_point_between_pivots@points[2]");
 }
 
 TEST(PathTask, TakesNumbersOnly) {
@@ -157,9 +215,9 @@ TEST(PathTask, NamesThePointsByTheirNumbers) {
 TEST(PathTask, TheCrankMovesOnAtADerivative) {
   PathTask task = claw();
   task.points.pop_back();
-  task.points[1].derivatives = {{{0, -1}, 0.0}};
+  task.points[1].derivatives = {{{0, -1}, 0.0, {}}};
   EXPECT_EQ(codes(task), "crank_at_rest@points[1].derivatives[0].input");
-  task.points[1].derivatives = {{{0, 1}, -1.0}};
+  task.points[1].derivatives = {{{0, 1}, -1.0, {}}};
   EXPECT_EQ(codes(task), "crank_against_sense@points[1].derivatives[0].input");
   for (PathPoint& point : task.points) *point.input *= -1;
   EXPECT_EQ(codes(task), "");
@@ -168,9 +226,9 @@ TEST(PathTask, TheCrankMovesOnAtADerivative) {
 
 TEST(PathTask, CrankPosesTurnWithTheCrankAndAreCarriedByThePoint) {
   PathTask task = timed_points({{3, 4, 20}, {5, 6, -30}, {7, 9, -80}});
-  task.points[1].derivatives = {{{1, 2}, std::nullopt}};
-  task.points[2].derivatives = {{{2, 3}, -2.0}};
-  const auto poses = crank_poses(task);
+  task.points[1].derivatives = {{{1, 2}, {}, {}}};
+  task.points[2].derivatives = {{{2, 3}, -2.0, {}}};
+  const auto poses = angled_poses(task);
   ASSERT_EQ(poses.size(), 3u);
   EXPECT_EQ(pattern(poses), "P-PP-PP");
   EXPECT_EQ(poses[0].pose.origin, (Point{3, 4}));
@@ -183,9 +241,9 @@ TEST(PathTask, CrankPosesTurnWithTheCrankAndAreCarriedByThePoint) {
 
 TEST(PathTask, HigherDerivativesOfTheCrankAreNothingByItsOwnTurn) {
   PathTask task;
-  task.points = {{{0, 0}, 0.0, {{{1, 0}, std::nullopt}, {{0, 1}, std::nullopt}, {{0, 0}, std::nullopt}}}};
+  task.points = {{{0, 0}, 0.0, {}, {{{1, 0}, {}, {}}, {{0, 1}, {}, {}}, {{0, 0}, {}, {}}}}};
   EXPECT_EQ(codes(task), "");
-  const auto poses = crank_poses(task);
+  const auto poses = angled_poses(task);
   EXPECT_EQ(poses[0].derivatives[0].angle, 1);
   EXPECT_EQ(poses[0].derivatives[1].angle, 0);
   EXPECT_EQ(poses[0].derivatives[2].angle, 0);

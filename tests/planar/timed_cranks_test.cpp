@@ -20,7 +20,7 @@ double farthest(const FourBar& a, const FourBar& b) {
 
 // All ordered pairs of the few cranks of five positions, user's frame.
 std::vector<FourBar> linkages_of(const PathTask& task) {
-  const PoseConditions conditions = pose_conditions(crank_poses(task));
+  const PoseConditions conditions = pose_conditions(angled_poses(task));
   const BurmesterPoints cranks = burmester_points(conditions);
   std::vector<FourBar> found;
   for (const BurmesterPoint& crank : cranks.points)

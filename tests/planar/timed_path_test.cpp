@@ -25,7 +25,7 @@ TEST(TimedPath, HasTheTurnsOfTheCoupler) {
     const testing::PathCase c = testing::path_case(name);
     for (const auto& linkage : c.json.at("linkages")) {
       const FourBar bars = testing::bars_of(linkage);
-      const TimedPath path = timed_path(bars, crank_poses(c.task));
+      const TimedPath path = timed_path(bars, angled_poses(c.task));
       EXPECT_EQ(path.point, c.task.points[0].point);
       for (std::size_t j = 0; j < c.task.points.size(); ++j) {
         EXPECT_NEAR(wrap_signed(path.coupler[j] - radians(linkage.at("coupler_deg_at_points")[j].get<double>())), 0,
@@ -48,7 +48,7 @@ TEST(TimedPath, PosesOfTheCouplerLeaveTheLinksAsLongAsTheyAre) {
     const testing::PathCase c = testing::path_case(name);
     for (const auto& linkage : c.json.at("linkages")) {
       const FourBar bars = testing::bars_of(linkage);
-      const auto cranks = crank_poses(c.task), poses = path_poses(bars, cranks);
+      const auto cranks = angled_poses(c.task), poses = path_poses(bars, cranks);
       const double size = bars.lengths().longest();
       for (std::size_t j = 0; j < poses.size(); ++j) {
         const Point a = displaced(bars.input_moving, poses[0].pose, poses[j].pose);
@@ -67,7 +67,7 @@ TEST(TimedPath, DerivativesOfTheCouplerLeaveTheOutputLinkAsLongAsItIs) {
     const testing::PathCase c = testing::path_case(name);
     for (const auto& linkage : c.json.at("linkages")) {
       const FourBar bars = testing::bars_of(linkage);
-      const auto poses = path_poses(bars, crank_poses(c.task));
+      const auto poses = path_poses(bars, angled_poses(c.task));
       for (const PrescribedPose& pose : poses) {
         if (pose.derivatives.empty()) continue;
         const Point b = displaced(bars.output_moving, poses[0].pose, pose.pose);
@@ -87,7 +87,7 @@ TEST(TimedPath, TheCognateHasTheSamePathAndTiming) {
     const testing::PathCase c = testing::path_case(name);
     for (const auto& linkage : c.json.at("linkages")) {
       const FourBar bars = testing::bars_of(linkage);
-      const auto cranks = crank_poses(c.task);
+      const auto cranks = angled_poses(c.task);
       const TimedPath path = timed_path(bars, cranks);
       const FourBar cognate = path.cognate.value();
       const double size = cognate.lengths().longest();
@@ -113,7 +113,7 @@ TEST(TimedPath, OrderAlongTheCircuitIsThatOfTracing) {
     const testing::PathCase c = testing::path_case(name);
     for (const auto& linkage : c.json.at("linkages")) {
       const FourBar bars = testing::bars_of(linkage);
-      const auto poses = path_poses(bars, crank_poses(c.task));
+      const auto poses = path_poses(bars, angled_poses(c.task));
       const auto found = circuit_order(bars, poses);
       const auto& traced = linkage.at("order_along_circuit_by_tracing");
       if (traced.is_null()) {
@@ -142,7 +142,7 @@ TEST(TimedPath, OrderAlongTheCircuitIsThatOfDriving) {
     if (c.task.points.size() < 4) continue;
     for (const auto& linkage : c.json.at("linkages")) {
       const FourBar bars = testing::bars_of(linkage);
-      const auto poses = path_poses(bars, crank_poses(c.task));
+      const auto poses = path_poses(bars, angled_poses(c.task));
       const auto found = circuit_order(bars, poses);
       const DriveThroughReport driven = drive_through(bars, poses);
       if (!found || !driven.completed) continue;

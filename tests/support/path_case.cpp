@@ -14,12 +14,14 @@ Point point_of(const nlohmann::json& json) { return {json[0], json[1]}; }
 PathTask path_task(const nlohmann::json& json) {
   PathTask task;
   for (const auto& point : json.at("points")) {
-    PathPoint prescribed{{point.at("x"), point.at("y")}, std::nullopt, {}};
+    PathPoint prescribed{{point.at("x"), point.at("y")}, {}, {}, {}};
     if (point.contains("input_deg")) prescribed.input = radians(point.at("input_deg").get<double>());
+    if (point.contains("theta_deg")) prescribed.angle = radians(point.at("theta_deg").get<double>());
     if (point.contains("derivatives"))
       for (const auto& d : point.at("derivatives")) {
-        prescribed.derivatives.push_back({{d.at("x"), d.at("y")}, std::nullopt});
+        prescribed.derivatives.push_back({{d.at("x"), d.at("y")}, {}, {}});
         if (d.contains("input")) prescribed.derivatives.back().input = d.at("input").get<double>();
+        if (d.contains("theta")) prescribed.derivatives.back().angle = d.at("theta").get<double>();
       }
     task.points.push_back(prescribed);
   }
@@ -44,7 +46,7 @@ FourBar bars_of(const nlohmann::json& linkage) {
 
 PathTask timed_points(const std::vector<std::array<double, 3>>& points) {
   PathTask task;
-  for (const auto& [x, y, input_deg] : points) task.points.push_back({{x, y}, radians(input_deg), {}});
+  for (const auto& [x, y, input_deg] : points) task.points.push_back({{x, y}, radians(input_deg), {}, {}});
   return task;
 }
 

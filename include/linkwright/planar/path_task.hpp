@@ -1,7 +1,7 @@
 #pragma once
 
-#include <algorithm>
 #include <optional>
+#include <string_view>
 #include <vector>
 
 #include "linkwright/algebra/point.hpp"
@@ -12,13 +12,14 @@
 
 namespace linkwright {
 
-/// One derivative of a point's path by any parameter that increases along the task (user's length, radians of the
-/// crank, per power of the parameter).
+/// One derivative of a point's path by any parameter that increases along the task (user's length, radians, per power
+/// of the parameter).
 struct PathDerivative {
   Point point{};
-  /// Nothing: the parameter is the turn of the crank in the sense in which the task turns it; the first derivative of
-  /// the crank's angle is then 1 or −1, all others are 0.
+  /// Of the crank's angle, where that is given. Nothing: the parameter is the turn of the crank in the sense in which
+  /// the task turns it; the first derivative of the crank's angle is then 1 or −1, all others are 0.
   std::optional<double> input;
+  std::optional<double> angle;  ///< of the coupler's, where that is given
 
   friend bool operator==(const PathDerivative&, const PathDerivative&) = default;
 };
@@ -28,10 +29,13 @@ struct PathDerivative {
 struct PathPoint {
   Point point{};                ///< fixed frame, user's unit
   std::optional<double> input;  ///< angle of the crank there from any datum, radians, counter-clockwise
+  std::optional<double> angle;  ///< or of the coupler, likewise
   std::vector<PathDerivative> derivatives;
 
   /// How many infinitesimally close positions it counts as, ≥ 1.
   [[nodiscard]] int multiplicity() const { return 1 + static_cast<int>(derivatives.size()); }
+  /// Neither angle is given.
+  [[nodiscard]] bool is_plain() const { return !input && !angle; }
 
   friend bool operator==(const PathPoint&, const PathPoint&) = default;
 };
@@ -44,9 +48,23 @@ struct GroundPivots {
   friend bool operator==(const GroundPivots&, const GroundPivots&) = default;
 };
 
-/// Path generation: a point of the coupler of a planar four-bar shall pass these places, in this order. Either the
-/// crank is given at all of them: four or five positions, in any pattern from P-P-P-P to PPPPP. Or at none, and ground
-/// pivots are: one with five positions, both with three.
+/// At how many of the points of a path the crank's angle is given.
+enum class PathTiming { none, some, all };
+/// "none", "some", "all".
+[[nodiscard]] std::string_view name(PathTiming timing);
+
+/// What a path task leaves open, and thereby what its map runs over.
+enum class PathForm {
+  cranks,         ///< four or five timed positions: pairs of cranks
+  arms,           ///< five plain positions and a ground pivot, or three and both: all arms that reach them
+  ground_pivot,   ///< three positions with angles and two plain ones: places of the input's ground pivot
+  other_pivot,    ///< three timed positions and a ground pivot: places of the other one
+  curve_of_arms,  ///< four positions with angles and a plain one: input links along their curve
+  few,            ///< both ground pivots and five plain positions, or three timed ones: some linkages
+};
+
+/// Path generation: a point of the coupler of a planar four-bar shall pass these places, in this order. Angles of the
+/// crank or of the coupler are given at some, in place of them ground pivots.
 struct PathTask {
   static constexpr const LinkageClass& linkages = path_linkages;
   static constexpr OutputKind output = OutputKind::point;
@@ -54,26 +72,30 @@ struct PathTask {
   std::vector<PathPoint> points;
   GroundPivots pivots;
 
-  /// The crank is given at some point; without mistakes: at all.
-  [[nodiscard]] bool is_timed() const {
-    return std::any_of(points.begin(), points.end(), [](const PathPoint& point) { return point.input.has_value(); });
-  }
+  [[nodiscard]] PathTiming timing() const;
+  /// The crank's angle is given at all points.
+  [[nodiscard]] bool is_timed() const { return timing() == PathTiming::all; }
+  /// Positions with an angle of the crank or of the coupler.
+  [[nodiscard]] int angled_count() const;
+  /// Of a task without mistakes.
+  [[nodiscard]] PathForm form() const;
 
   friend bool operator==(const PathTask&, const PathTask&) = default;
 };
 
-/// The caller's mistakes: number of positions, points without an angle of the crank, nothing that is given beside
-/// points, numbers that are not finite or too large, a crank that stands or turns back at a derivative, equal angles,
-/// angles that do not go one way within one turn, points at pivots, pivots at one place. Places are `task.points[i]…`
-/// (i from 0) and `task.given.ground_pivots…`. Empty when the task can be solved.
+/// The caller's mistakes: number of positions, nothing that is given beside points, angles of both links, numbers that
+/// are not finite or too large, a crank that stands or turns back at a derivative, equal angles, angles that do not go
+/// one way within one turn, points at pivots, pivots at one place. Places are `task.points[i]…` (i from 0) and
+/// `task.given.ground_pivots…`. Empty when the task can be solved.
 [[nodiscard]] std::vector<Error> mistakes_in(const PathTask& task);
 
-/// In which sense the crank of a timed task without mistakes turns: 1 counter-clockwise, −1 clockwise.
+/// In which sense the crank of a task without mistakes turns that gives its angle somewhere: 1 counter-clockwise,
+/// −1 clockwise.
 [[nodiscard]] double crank_sense(const PathTask& task);
 
-/// A body that turns with the crank of a timed task without mistakes and is carried by its point: origin at the points,
-/// angle of the crank from the first one on, with the derivatives of both. Every dyad of these poses is a crank of the
-/// task (docs/theory/path.md).
-[[nodiscard]] std::vector<PrescribedPose> crank_poses(const PathTask& task);
+/// Where angles are given, the body that has them, carried by the task's point: origin at the points, with the
+/// derivatives. The coupler; or a body that turns with the crank, its angle counted from the first of these points on
+/// (docs/theory/path.md). Task without mistakes.
+[[nodiscard]] std::vector<PrescribedPose> angled_poses(const PathTask& task);
 
 }  // namespace linkwright

@@ -57,6 +57,7 @@ enum class AxisQuantity {
   // Of paths, of all arms that reach the points from a given pivot.
   arm_reach,       ///< largest distance of a point over the sum of link and arm, in (0, 1]
   arm_difference,  ///< difference of arm and link over the least distance, in [−1, 1]
+  layer,           ///< one of the linkages that stand at a place; each fills a branch
 };
 /// "curve_coordinate", "side_direction", …
 [[nodiscard]] std::string_view name(AxisQuantity quantity);
@@ -97,7 +98,8 @@ struct MapAxis {
   [[nodiscard]] double onto(double coordinate) const;
   /// Every place of a branch is the same.
   [[nodiscard]] bool is_discrete() const {
-    return quantity == AxisQuantity::burmester_point || quantity == AxisQuantity::nothing;
+    return quantity == AxisQuantity::burmester_point || quantity == AxisQuantity::nothing ||
+           quantity == AxisQuantity::layer;
   }
   /// The branch on which a coordinate lies.
   [[nodiscard]] AxisStretch stretch_around(double coordinate) const;

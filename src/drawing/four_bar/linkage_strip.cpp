@@ -93,7 +93,8 @@ std::string small_angle(double radians) { return fmt::format("{}°", significant
 /// What is read at a coordinate of an axis: "β₁ = 258.5°", "number 3", or τ.
 std::string place_text(const FourBarFamily& family, Side side, double tau) {
   const AxisQuantity quantity = family.axis(side).quantity;
-  if (quantity == AxisQuantity::burmester_point) return fmt::format("{}", static_cast<int>(std::floor(tau)) + 1);
+  if (quantity == AxisQuantity::burmester_point || quantity == AxisQuantity::layer)
+    return fmt::format("{}", static_cast<int>(std::floor(tau)) + 1);
   if (!has_values(quantity)) return rounded_text(tau, 4);
   const double value = family.axis_value(side, tau);
   return is_angle(quantity) ? rounded_text(value, 2) + "°" : significant_text(value, 5);
@@ -104,6 +105,8 @@ std::string_view place_name(const FourBarFamily& family) {
   switch (family.axis(Side::output).quantity) {
     case AxisQuantity::burmester_point:
       return "dyads, by their numbers";
+    case AxisQuantity::layer:
+      return "place and number of the linkage";
     case AxisQuantity::side_direction:
       return "directions β₁ and β₂";
     case AxisQuantity::side_length:

@@ -72,14 +72,17 @@ struct Words {
 };
 
 /// A coordinate of a pivot that is looked for: "x of the output link's ground pivot".
-Words pivot_words(const MotionTask& task, AxisQuantity quantity, std::string_view length_unit) {
+Words pivot_words(Side side, AxisQuantity quantity, std::string_view length_unit) {
   const bool ground = quantity == AxisQuantity::center_x || quantity == AxisQuantity::center_y;
   const bool across = quantity == AxisQuantity::center_x || quantity == AxisQuantity::circle_x;
-  const auto* given = task.given ? std::get_if<GivenPivots>(&*task.given) : nullptr;
-  const std::string_view link = name(given && given->input ? Side::output : Side::input);
   const std::string words =
-      fmt::format("{} of the {} link's {} pivot", across ? "x" : "y", link, ground ? "ground" : "moving");
+      fmt::format("{} of the {} link's {} pivot", across ? "x" : "y", name(side), ground ? "ground" : "moving");
   return {words, titled(words, length_unit), std::string(length_unit)};
+}
+
+Side side_looked_for(const MotionTask& task) {
+  const auto* given = task.given ? std::get_if<GivenPivots>(&*task.given) : nullptr;
+  return given && given->input ? Side::output : Side::input;
 }
 
 Words dyad_words(const MotionTask& task, const MapAxis& axis, Side side, std::string_view length_unit) {
@@ -109,7 +112,7 @@ Words dyad_words(const MotionTask& task, const MapAxis& axis, Side side, std::st
     case AxisQuantity::center_y:
     case AxisQuantity::circle_x:
     case AxisQuantity::circle_y:
-      return pivot_words(task, axis.quantity, length_unit);
+      return pivot_words(side_looked_for(task), axis.quantity, length_unit);
     default:
       break;
   }
@@ -154,18 +157,27 @@ AxisLabel axis_label(const FunctionAnswer& answer, Side side, std::string_view /
 
 namespace {
 
-std::string given_words(const PathTask& task) {
-  const auto& [input, output] = task.pivots;
+std::string pivots_words(const GroundPivots& pivots) {
+  const auto& [input, output] = pivots;
   if (input && output) return fmt::format("ground pivots {} and {}", point_words(*input), point_words(*output));
   return fmt::format("ground pivot of the {} link {}", name(input ? Side::input : Side::output),
                      point_words(input ? *input : *output));
 }
 
+/// Angles, ground pivots, or both.
+std::string given_words(const PathTask& task) {
+  const std::string_view link = task.timing() == PathTiming::none ? "coupler" : "crank";
+  const std::string angles = task.is_timed()           ? "at given crank angles"
+                             : task.angled_count() > 0 ? fmt::format("some at given {} angles", link)
+                                                       : "";
+  if (task.pivots.count() == 0) return angles;
+  return fmt::format("{}{}with given {}", angles, angles.empty() ? "" : " ", pivots_words(task.pivots));
+}
+
 }  // namespace
 
 std::string label_of(const PathTask& task) {
-  return fmt::format("path through {} {} ({})", positions_text(position_count(task.points)),
-                     task.is_timed() ? "at given crank angles" : "with given " + given_words(task),
+  return fmt::format("path through {} {} ({})", positions_text(position_count(task.points)), given_words(task),
                      pattern(task.points));
 }
 std::string short_label_of(const PathTask& task) {
@@ -174,20 +186,34 @@ std::string short_label_of(const PathTask& task) {
 
 namespace {
 
-AxisLabel arm_axis_label(const PathAnswer& answer, MapAxis axis) {
-  const std::string_view link = answer.task.pivots.input ? "crank" : "output link";
-  if (axis.quantity == AxisQuantity::arm_reach)
-    return {fmt::format("farthest point over {} and arm", link), fmt::format("Farthest point / ({} + arm), u", link),
-            "1", name(axis.quantity), std::move(axis.branches)};
-  return {fmt::format("arm less {} over nearest point", link), fmt::format("(Arm − {}) / nearest point, v", link), "1",
-          name(axis.quantity), std::move(axis.branches)};
+Words arm_axis_words(const PathTask& task, AxisQuantity quantity, std::string_view length_unit) {
+  const std::string_view link = task.pivots.input ? "crank" : "output link";
+  const Side looked_for = task.form() == PathForm::other_pivot && task.pivots.input ? Side::output : Side::input;
+  switch (quantity) {
+    case AxisQuantity::arm_reach:
+      return {fmt::format("farthest point over {} and arm", link), fmt::format("Farthest point / ({} + arm), u", link),
+              "1"};
+    case AxisQuantity::arm_difference:
+      return {fmt::format("arm less {} over nearest point", link), fmt::format("(Arm − {}) / nearest point, v", link),
+              "1"};
+    case AxisQuantity::center_x:
+    case AxisQuantity::center_y:
+      return pivot_words(looked_for, quantity, length_unit);
+    case AxisQuantity::layer:
+      return {"one of the linkages", "Linkage, by its number", "1"};
+    case AxisQuantity::nothing:
+      return {"nothing is free", "", "1"};
+    default:
+      return {"input link, coordinate on its curve", "Input link, τ", "tau"};
+  }
 }
 
 }  // namespace
 
-AxisLabel axis_label(const PathAnswer& answer, Side side, std::string_view /*length_unit*/) {
-  if (!answer.task.is_timed()) return arm_axis_label(answer, axis_of(answer, side));
+AxisLabel axis_label(const PathAnswer& answer, Side side, std::string_view length_unit) {
   MapAxis axis = axis_of(answer, side);
+  if (answer.task.form() != PathForm::cranks)
+    return label_of(axis, arm_axis_words(answer.task, axis.quantity, length_unit));
   const bool drives = side == Side::input, are_few = axis.quantity == AxisQuantity::burmester_point;
   const std::string_view link = drives ? "crank" : "crank of the cognate", title = drives ? "Crank" : "Cognate's crank";
   AxisLabel label{fmt::format("{}, {}", link, are_few ? "one of the few" : "coordinate on its curve"),

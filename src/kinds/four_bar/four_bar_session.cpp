@@ -52,7 +52,7 @@ bool serves(const MotionAnswer& known, const Problem& /*before*/, const Problem&
 }
 
 bool serves(const PathAnswer& known, const Problem& /*before*/, const Problem& /*now*/) {
-  return known.task.is_timed();  // of several linkages at a place the requirements choose
+  return known.family() == nullptr || known.family()->axis(Side::input).layers == 0;  // of layers requirements choose
 }
 
 Requirements with_defaults(Requirements wanted, const FourBarAnswer& known) {
@@ -111,7 +111,8 @@ std::vector<double> coordinates_of(const FourBarAnswer& known, const LinkageFami
 }
 
 int live_samples(const PathAnswer& known, int asked) {
-  return known.task.is_timed() ? asked : std::min(asked, most_samples_over_arms);
+  const bool has_layers = known.family() && known.family()->axis(Side::input).layers > 0;
+  return has_layers ? std::min(asked, most_samples_over_arms) : asked;
 }
 
 int live_samples(const FunctionAnswer& known, int asked) {

@@ -100,8 +100,8 @@ void path_fields(FieldVisitor& v, const FourBarSolution& found) {
                  forms::where(is, degrees_of_all(path.coupler)), forms::on_a_line, Number{});
   cognate_field(v, found.path);
   v.shown_if_any(Field("elbows",
-                       "Paths through points alone: on which side of the line from the given pivot to each point the "
-                       "elbow of the arm stands, + left or - right, and which of the further dyads."),
+                       "Paths with points at which no angle is given: on which side of the line from the arm's ground "
+                       "pivot to each of them its elbow stands, + left or - right, and which of the further dyads."),
                  forms::where(is && !path.elbows.empty(), path.elbows));
   v.shown_if_any(Field("full_turn", "Paths: the crank turns fully, so that the path is closed."),
                  forms::where(is, path.full_turn));

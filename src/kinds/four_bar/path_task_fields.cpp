@@ -7,12 +7,14 @@ namespace linkwright {
 
 static void fields(FieldVisitor& v, PathDerivative& derivative) {
   const Object described = {"path_derivative",
-                            "x and y in the user's length, input in radians of the crank, per power of the parameter."};
+                            "x and y in the user's length, input and theta in radians, per power of the parameter."};
   v.object(described, [&](FieldVisitor& to) {
     forms::coordinates(to, derivative.point);
-    to.given(
-        Field("input", "Left out: the parameter is the turn of the crank in the sense in which it passes the points."),
-        derivative.input, forms::coordinate);
+    to.given(Field("input",
+                   "Of the crank's angle, where that is given. Left out: the parameter is the turn of the crank in the "
+                   "sense in which it passes the points."),
+             derivative.input, forms::coordinate);
+    to.given(Field("theta", "Of the coupler's angle, where that is given."), derivative.angle, forms::coordinate);
   });
 }
 
@@ -24,9 +26,9 @@ static void fields(FieldVisitor& v, PathPoint& point) {
   const Object described = {"path_point", "A place that the point of the coupler is to pass, fixed frame."};
   v.object(described, [&](FieldVisitor& to) {
     forms::coordinates(to, point.point);
-    to.given(
-        Field("input_deg", "Angle of the crank there, counter-clockwise, from any datum; at every point or at none."),
-        point.input, forms::degrees);
+    to.given(Field("input_deg", "Angle of the crank there, counter-clockwise, from any datum."), point.input,
+             forms::degrees);
+    to.given(Field("theta_deg", "Or of the coupler, likewise."), point.angle, forms::degrees);
     to.optional(Field("derivatives",
                       "First, second, … derivatives by any parameter that increases along the task: the direction of "
                       "travel through the point, then its curvature, ….")
@@ -47,8 +49,8 @@ namespace {
 
 void given_field(FieldVisitor& v, GroundPivots& pivots) {
   const Field field = Field("given",
-                            "In place of angles of the crank: one ground pivot with five positions, both with "
-                            "three.")
+                            "One ground pivot with five positions or with three at given angles of the crank; both "
+                            "with three or five, or with three at given angles of the crank.")
                           .written(pivots.count() > 0);
   v.member(field, false, [&](FieldVisitor& at) {
     at.object({.name = "path_given"}, [&](FieldVisitor& to) { to.required("ground_pivots", pivots); });
@@ -67,9 +69,9 @@ void fields(FieldVisitor& v, PathTask& task) {
       .on_lines = true};
   const Object described = {
       "path_task",
-      "Path generation: a point of the coupler passes places in this order: four or five at given "
-      "angles of the crank, or five from a given ground pivot, or three from both. A point counts "
-      "as one position, and as one more for each of its derivatives.",
+      "Path generation: a point of the coupler passes places in this order: four or five at given angles of the crank; "
+      "three with angles of crank or coupler and two without, or four and one; or from given ground pivots. A point "
+      "counts as one position, and as one more for each of its derivatives.",
       true};
   v.object(described, [&](FieldVisitor& to) {
     to.constant("kind", "path");

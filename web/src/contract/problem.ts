@@ -310,19 +310,23 @@ export type StraightLineTask = {
   stroke: number;
   deviation: number;
 });
-/** x and y in the user's length, input in radians of the crank, per power of the parameter. */
+/** x and y in the user's length, input and theta in radians, per power of the parameter. */
 export interface PathDerivative {
   x: number;
   y: number;
-  /** Left out: the parameter is the turn of the crank in the sense in which it passes the points. */
+  /** Of the crank's angle, where that is given. Left out: the parameter is the turn of the crank in the sense in which it passes the points. */
   input?: number;
+  /** Of the coupler's angle, where that is given. */
+  theta?: number;
 }
 /** A place that the point of the coupler is to pass, fixed frame. */
 export interface PathPoint {
   x: number;
   y: number;
-  /** Angle of the crank there, counter-clockwise, from any datum; at every point or at none. */
+  /** Angle of the crank there, counter-clockwise, from any datum. */
   input_deg?: number;
+  /** Or of the coupler, likewise. */
+  theta_deg?: number;
   /** First, second, … derivatives by any parameter that increases along the task: the direction of travel through the point, then its curvature, …. */
   derivatives?: readonly PathDerivative[];
 }
@@ -334,12 +338,12 @@ export interface PathGroundPivots {
 export interface PathGiven {
   ground_pivots: PathGroundPivots;
 }
-/** Path generation: a point of the coupler passes places in this order: four or five at given angles of the crank, or five from a given ground pivot, or three from both. A point counts as one position, and as one more for each of its derivatives. */
+/** Path generation: a point of the coupler passes places in this order: four or five at given angles of the crank; three with angles of crank or coupler and two without, or four and one; or from given ground pivots. A point counts as one position, and as one more for each of its derivatives. */
 export interface PathTask {
   kind: "path";
   mechanism: "four_bar";
   points: readonly PathPoint[];
-  /** In place of angles of the crank: one ground pivot with five positions, both with three. */
+  /** One ground pivot with five positions or with three at given angles of the crank; both with three or five, or with three at given angles of the crank. */
   given?: PathGiven;
 }
 /** What the linkage is for. */

@@ -29,7 +29,7 @@ export interface ResultFile {
   search?: Search;
   /** Best first; with "at" in the options what is at that place of the region and nothing else. */
   linkages: readonly FourBar[] | readonly SixBar[] | readonly SphericalFourBar[] | readonly StraightLineFourBar[];
-  /** Five positions: every two dyads as a four-bar with the better driver, whatever its defects; five precision points, or five positions of a path: every linkage; otherwise none. Best first. */
+  /** Five positions: every two dyads as a four-bar with the better driver, whatever its defects; five precision points, or a path that leaves but a few: every linkage; otherwise none. Best first. */
   pairs: readonly FourBar[] | readonly SphericalFourBar[];
   /** Five positions that no linkage passes as required: what freeing one of them comes to, nearest first. */
   freed: readonly WayOut[] | readonly SphericalWayOut[];
@@ -336,7 +336,7 @@ export interface FourBar {
   theta_deg_at_points?: readonly number[];
   /** Paths at given angles of the crank. */
   cognate?: TimedCognate;
-  /** Paths through points alone: on which side of the line from the given pivot to each point the elbow of the arm stands, + left or - right, and which of the further dyads. */
+  /** Paths with points at which no angle is given: on which side of the line from the arm's ground pivot to each of them its elbow stands, + left or - right, and which of the further dyads. */
   elbows?: string;
   /** Paths: the crank turns fully, so that the path is closed. */
   full_turn?: boolean;
