@@ -47,13 +47,23 @@ static void fields(FieldVisitor& v, GroundPivots& pivots) {
 
 namespace {
 
+std::vector<Error> no_pivot_in(const GroundPivots& pivots) {
+  if (pivots.count() > 0) return {};
+  return {{"no_ground_pivot", "task.given.ground_pivots",
+           "no ground pivot is given here; give \"input\": [x, y] or \"output\": [x, y], or leave \"given\" out"}};
+}
+
 void given_field(FieldVisitor& v, GroundPivots& pivots) {
   const Field field = Field("given",
                             "One ground pivot with five positions or with three at given angles of the crank; both "
                             "with three or five, or with three at given angles of the crank.")
                           .written(pivots.count() > 0);
+  const Wanted missing = {"path_pivots_in_full", "a ground pivot {\"input\": [x, y]} or {\"output\": [x, y]}, or both"};
   v.member(field, false, [&](FieldVisitor& at) {
-    at.object({.name = "path_given"}, [&](FieldVisitor& to) { to.required("ground_pivots", pivots); });
+    at.object({.name = "path_given"}, [&](FieldVisitor& to) {
+      to.required(Field("ground_pivots").missing(missing), pivots);
+      to.check([&] { return no_pivot_in(pivots); });
+    });
   });
 }
 
