@@ -20,6 +20,15 @@ struct Driver {
   int at_least_half_turn;             ///< turning that way, half a turn or more from first to last pose
 };
 
+/// The same of a pack of them, to each lane its own.
+template <int Width, int Poses>
+struct DriverLanes {
+  using Real = typename Pack<Width>::Real;
+  Real center_x, center_y, length, circle_x, circle_y;
+  Real arm_x[Poses], arm_y[Poses];
+  LaneSenses admissible_directions, at_least_half_turn;
+};
+
 /// `Count` other grounded links at each pose.
 template <int Poses, int Count>
 struct DrivenLinks {
@@ -51,8 +60,8 @@ struct Distances {
   Real gg, hh, g, h;      ///< lengths of ground and coupler, and their squares
 };
 
-template <int Width, int Poses, int Count>
-LINKWRIGHT_INLINE Distances<Width> distances(const Driver<Poses>& driver, const DrivenLinks<Poses, Count>& driven,
+template <int Width, class AnyDriver, int Poses, int Count>
+LINKWRIGHT_INLINE Distances<Width> distances(const AnyDriver& driver, const DrivenLinks<Poses, Count>& driven,
                                              int first) {
   using Real = typename Pack<Width>::Real;
   Distances<Width> d;
@@ -69,10 +78,10 @@ LINKWRIGHT_INLINE Distances<Width> distances(const Driver<Poses>& driver, const 
 
 /// The pairs of a driver and a pack of driven links, and the joint signs: at each pose, the vector products of the
 /// frame and the driver, of driver and coupler, of coupler and driven link.
-template <int Width, int Poses, int Count>
+template <int Width, class AnyDriver, int Poses, int Count>
 struct Pairs {
   using Real = typename Pack<Width>::Real;
-  const Driver<Poses>& driver;
+  const AnyDriver& driver;
   const DrivenLinks<Poses, Count>& driven;
   int first;
   Distances<Width> d;
@@ -133,8 +142,8 @@ LINKWRIGHT_INLINE unsigned long long type_codes(const ExcessSigns& s) {
 
 /// The joint that tells the circuits apart is the one that is not at the shortest link: of a crank-rocker and a double
 /// crank the output's, of a rocker-crank the input's moving joint, of a double rocker its fixed one.
-template <int Width, int Poses, int Count>
-LINKWRIGHT_INLINE LostWays lost_ways(const Pairs<Width, Poses, Count>& pairs, const ExcessSigns& s) {
+template <int Width, class AnyDriver, int Poses, int Count>
+LINKWRIGHT_INLINE LostWays lost_ways(const Pairs<Width, AnyDriver, Poses, Count>& pairs, const ExcessSigns& s) {
   const Mask output_changes = changes_sign<Width, Poses>([&](int j) { return pairs.at_output_moving(j); });
   Mask circuit = s.input_is_crank() & output_changes;
   if (const Mask lanes = s.rocker_crank())
@@ -144,11 +153,12 @@ LINKWRIGHT_INLINE LostWays lost_ways(const Pairs<Width, Poses, Count>& pairs, co
   return {circuit, circuit | output_changes};
 }
 
-template <int Width, int Poses, int Count>
-LINKWRIGHT_INLINE PairVerdict<Width> pair_verdict(const Driver<Poses>& driver, const DrivenLinks<Poses, Count>& driven,
+/// `driver`: a Driver, or a pack of them as DriverLanes.
+template <int Width, class AnyDriver, int Poses, int Count>
+LINKWRIGHT_INLINE PairVerdict<Width> pair_verdict(const AnyDriver& driver, const DrivenLinks<Poses, Count>& driven,
                                                   int first, const Distances<Width>& d, double zero_share) {
   using Real = typename Pack<Width>::Real;
-  const Pairs<Width, Poses, Count> pairs = {driver, driven, first, d};
+  const Pairs<Width, AnyDriver, Poses, Count> pairs = {driver, driven, first, d};
   const Real a = Real{} + driver.length, b = load<Width>(driven.length + first);
   const Real shortest = smaller(smaller(a, b), smaller(d.g, d.h)), longest = larger(larger(a, b), larger(d.g, d.h));
   const ExcessSigns s = excess_signs<Width>(d.g, a, d.h, b, shortest, zero_share);
@@ -160,15 +170,16 @@ LINKWRIGHT_INLINE PairVerdict<Width> pair_verdict(const Driver<Poses>& driver, c
     return magnitude<Width>(still + (d.frame_x * driver.arm_x[j] + d.frame_y * driver.arm_y[j]));
   };
   const Real worst_0 = magnitude<Width>(still + swing), worst_pi = magnitude<Width>(still - swing);
+  const LaneSenses open = lane_senses<Width>(driver.admissible_directions);
   Drive<Width> way;
-  if (driver.admissible_directions && lost.branch != all_lanes<Width>) {
+  if ((open.ccw | open.cw) && lost.branch != all_lanes<Width>) {
     const Real first_turn = pairs.at_input_fixed(0), last_turn = pairs.at_input_fixed(Poses - 1);
     way = drive<Width>(driver.admissible_directions, driver.at_least_half_turn, first_turn, last_turn,
                        {s.input_meets_frame(), s.p3, larger(at_pose(0), at_pose(Poses - 1)), worst_0, worst_pi});
   }
   const Mask in_order = way.in_order();
   // A change point between the poses stops the drive like a dead point.
-  if (driver.admissible_directions) lost.branch |= s.change_point & ~in_order;
+  lost.branch |= s.change_point & ~in_order & (open.ccw | open.cw);
   const Mask lost_order = negated<Width>(lost.branch | in_order);
 
   PairVerdict<Width> verdict;

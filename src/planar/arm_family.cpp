@@ -30,7 +30,7 @@ MapAxis with_layers(MapAxis axis, int layers) {
   return axis;
 }
 
-std::size_t dyads_of(const ArmChoice& choice) { return choice.knows_other() ? 1 : FurtherDyadBlock::most; }
+std::size_t dyads_of(const ArmChoice& choice) { return choice.knows_other() ? 1 : ArmBlock::most_dyads; }
 
 int layer_count(const ArmTask& task, const ArmChoice& choice) {
   if (choice.layers() != LayersOf::input_axis) return 0;
@@ -86,29 +86,42 @@ MapPoint ArmFamily::without_layer(MapPoint place) const {
   return place;
 }
 
+/// What is shown of several: those that meet the requirements, those without defects, the better score.
+struct ArmFamily::Rated {
+  bool passes = false, is_clean = false;
+  double score = 0;
+
+  [[nodiscard]] bool is_better_than(const Rated& other) const {
+    if (passes != other.passes) return passes;
+    if (is_clean != other.is_clean) return is_clean;
+    return score > other.score;
+  }
+};
+
 struct ArmFamily::Found {
   MapPoint place;  ///< in its layer
   FourBar bars;    ///< working frame
   PairJudgement judged;
   Point first_arm{}, last_arm{};  ///< of the driver
   std::uint8_t senses = 0;
-  // What is shown of several: those that meet the requirements, those without defects, the better score.
-  bool passes = false;
-  double score = 0;
+  Rated rated;
 
-  [[nodiscard]] bool is_better_than(const Found& other) const {
-    if (passes != other.passes) return passes;
-    if (judged.defects.none() != other.judged.defects.none()) return judged.defects.none();
-    return score > other.score;
-  }
   [[nodiscard]] DriverTravel travel() const {
     return {senses, static_cast<float>(wrap_positive(std::arg(last_arm * std::conj(first_arm))))};
   }
-  [[nodiscard]] MapCell verdict(double unit) const {
-    MapCell cell;
+  // Field by field: a cell that is put together and then copied waits for what was just written.
+  static void put_verdict(MapCell& cell, const PairJudgement& judged, MapPoint place, double unit) {
     cell.type = judged.type;
     cell.defects = judged.defects;
-    cell.values = {judged.versine, judged.full_versine, judged.ratio, unit * judged.longest, std::floor(place.input)};
+    cell.values[0] = judged.versine;
+    cell.values[1] = judged.full_versine;
+    cell.values[2] = judged.ratio;
+    cell.values[3] = unit * judged.longest;
+    cell.values[4] = std::floor(place.input);
+  }
+  [[nodiscard]] MapCell verdict(double unit) const {
+    MapCell cell;
+    put_verdict(cell, judged, place, unit);
     return cell;
   }
   [[nodiscard]] Cell cell(const WorkingFrame& frame) const {
@@ -127,11 +140,16 @@ struct ArmFamily::Found {
 
 // ---- all linkages of some arms --------------------------------------------------------------------------------------
 
-/// Arms are added, and their linkages come out some time later, each with what was said of its arm.
+/// Arms are added, and their linkages come out some time later, in the order in which their arms came: each is put where
+/// `Take` wants it that is told how it is rated.
 class ArmFamily::Solver {
  public:
   Solver(const ArmFamily& family, bool respect_direction, Simd simd)
-      : family_(family), task_(family.task_), respect_direction_(respect_direction), dyads_(simd) {}
+      : family_(family),
+        task_(family.task_),
+        respect_direction_(respect_direction),
+        judges_pivots_(!family.judge_.places().empty()),
+        dyads_(family.task_.path, arm_drives(), simd) {}
 
   /// `place`: on the map. Only the dyad of that number, where there is one. Where the arm drives and does not come in
   /// order nothing is solved, unless that is to be seen. False where nothing was added.
@@ -139,14 +157,13 @@ class ArmFamily::Solver {
            std::optional<std::size_t> dyad, bool out_of_order_too, const Take& take) {
     Arms arms{tag, place, pattern, dyad, here.arm.pivot, arm_motion(here.arm, task_.path, here.elbows, pattern), {}};
     if (family_.has_twice(arms.motion)) return false;
-    if (task_.side == Side::input) arms.senses = of_arm(arms);
+    if (arm_drives()) arms.senses = of_arm(arms);
     if (family_.only_in_order_ && !out_of_order_too && arms.senses.all == 0) return false;
-    const ConditionRows rows = condition_rows(task_.path, arms.motion);
     if (here.other) {
-      take_dyad(arms, 0, other_link(here, rows), take);
+      take_pair(arms, 0, other_link(here, condition_rows(task_.path, arms.motion)), take);
       return true;
     }
-    dyads_.add(rows, arms.pivot, arms.pivot + arms.motion.link.front());
+    dyads_.add(arms.pivot, arms.motion, arms.senses.all, arms.senses.half_turn);
     waiting_.push_back(std::move(arms));
     if (dyads_.is_full()) finish(take);
     return true;
@@ -156,7 +173,8 @@ class ArmFamily::Solver {
     dyads_.solve();
     for (std::size_t i = 0; i < waiting_.size(); ++i) {
       const FurtherDyads found = dyads_.of(i);
-      for (std::size_t k = 0; k < found.count; ++k) take_dyad(waiting_[i], k, found.dyads[k], take);
+      for (std::size_t k = 0; k < found.count; ++k)
+        if (!waiting_[i].dyad || *waiting_[i].dyad == k) take_dyad(i, k, found.at[k], take);
     }
     dyads_.clear();
     waiting_.clear();
@@ -177,42 +195,62 @@ class ArmFamily::Solver {
   };
 
   [[nodiscard]] std::size_t count() const { return task_.path.size(); }
+  [[nodiscard]] bool arm_drives() const { return task_.side == Side::input; }
 
   [[nodiscard]] static Dyad other_link(const ArmAtPlace& here, const ConditionRows& rows) {
     if (!here.other_moving) return partner_of(rows, *here.other);
     return {Homogeneous::of(*here.other), Homogeneous::of(*here.other_moving), 0};
   }
 
-  void take_dyad(const Arms& arms, std::size_t number, const Dyad& other, const Take& take) const {
-    if (arms.dyad && *arms.dyad != number) return;
-    const auto center = finite_point(other.center), circle = finite_point(other.circle);
-    if (!center || !circle) return;  // a slider
-    LinkInPositions arm{arms.pivot, arms.pivot + arms.motion.link[0], arms.motion.link};
-    LinkInPositions found{*center, *circle, {}};
-    for (std::size_t j = 0; j < count(); ++j)
-      found.arm[j] = task_.path[j].jet.front() + arms.motion.turn[j] * *circle - *center;
-    const bool arm_drives = task_.side == Side::input;
-    const LinkInPositions& driver = arm_drives ? arm : found;
-    const Senses senses = arm_drives ? arms.senses : of_other(arms.motion, found);
-    const PairJudgement judged = judge_pair(driver, arm_drives ? found : arm, count(), senses.all, senses.half_turn);
+  // Judged among others of its kind already, where the arm drives.
+  void take_dyad(std::size_t i, std::size_t number, std::size_t at, const Take& take) {
+    const Arms& arms = waiting_[i];
+    if (!arm_drives()) return take_pair(arms, number, dyads_.dyad(i, at), take);
+    const PairJudgement judged = dyads_.judged(i, at);
     if (judged.type == LinkageType::degenerate) return;
-    Found made;
-    made.place = family_.in_layer(arms.place, {arms.pattern.bits, number});
-    made.bars = arm_drives ? FourBar{arm.center, arm.circle, *center, *circle}
-                           : FourBar{*center, *circle, arm.center, arm.circle};
-    made.judged = judged;
-    made.first_arm = driver.arm[0];
-    made.last_arm = driver.arm[count() - 1];
-    made.senses = senses.all;
-    rank(made);
-    take(arms.tag, made);
+    const MapPoint place = family_.in_layer(arms.place, {arms.pattern.bits, number});
+    // Where pivots are judged they are needed first, and where there is no other use of them, last.
+    const Rated rated = rated_by(judged, place, judges_pivots_ ? bars_of(arms, dyads_.dyad(i, at)) : std::nullopt);
+    Found* const slot = take(arms.tag, rated);
+    const auto bars = slot ? bars_of(arms, dyads_.dyad(i, at)) : std::nullopt;
+    if (!bars) return;
+    *slot = {place, *bars, judged, arms.motion.link[0], arms.motion.link[count() - 1], arms.senses.all, rated};
+  }
+  // Judged by itself.
+  void take_pair(const Arms& arms, std::size_t number, const Dyad& other, const Take& take) {
+    const auto bars = bars_of(arms, other);
+    if (!bars) return;
+    const LinkInPositions arm{arms.pivot, arms.pivot + arms.motion.link[0], arms.motion.link};
+    const LinkInPositions found = other_in_positions(arms, *bars);
+    const LinkInPositions& driver = arm_drives() ? arm : found;
+    const Senses senses = arm_drives() ? arms.senses : of_other(arms.motion, found);
+    const PairJudgement judged = judge_pair(driver, arm_drives() ? found : arm, count(), senses.all, senses.half_turn);
+    if (judged.type == LinkageType::degenerate) return;
+    const MapPoint place = family_.in_layer(arms.place, {arms.pattern.bits, number});
+    const Rated rated = rated_by(judged, place, bars);
+    if (Found* const slot = take(arms.tag, rated))
+      *slot = {place, *bars, judged, driver.arm[0], driver.arm[count() - 1], senses.all, rated};
   }
 
-  void rank(Found& made) const {
-    static_cast<MapCell&>(scratch_) = made.verdict(task_.frame.scale);
-    if (!family_.judge_.places().empty()) scratch_.pivots = pivots_of(task_.frame.to_user(made.bars));
-    made.passes = family_.judge_.passes(scratch_);
-    made.score = family_.rank_.score(scratch_);
+  // Nothing of a slider.
+  [[nodiscard]] std::optional<FourBar> bars_of(const Arms& arms, const Dyad& other) const {
+    const auto center = finite_point(other.center), circle = finite_point(other.circle);
+    if (!center || !circle) return std::nullopt;
+    const Point moving = arms.pivot + arms.motion.link[0];
+    return arm_drives() ? FourBar{arms.pivot, moving, *center, *circle} : FourBar{*center, *circle, arms.pivot, moving};
+  }
+  [[nodiscard]] LinkInPositions other_in_positions(const Arms& arms, const FourBar& bars) const {
+    LinkInPositions found{bars.output_fixed, bars.output_moving, {}};
+    if (!arm_drives()) found = {bars.input_fixed, bars.input_moving, {}};
+    for (std::size_t j = 0; j < count(); ++j)
+      found.arm[j] = task_.path[j].jet.front() + arms.motion.turn[j] * found.circle - found.center;
+    return found;
+  }
+
+  [[nodiscard]] Rated rated_by(const PairJudgement& judged, MapPoint place, const std::optional<FourBar>& bars) {
+    Found::put_verdict(scratch_, judged, place, task_.frame.scale);
+    if (judges_pivots_ && bars) scratch_.pivots = pivots_of(task_.frame.to_user(*bars));
+    return {family_.judge_.passes(scratch_), judged.defects.none(), family_.rank_.score(scratch_)};
   }
 
   // Where all points are plain the pattern has them.
@@ -247,9 +285,10 @@ class ArmFamily::Solver {
   const ArmFamily& family_;
   const ArmTask& task_;
   bool respect_direction_;
+  bool judges_pivots_;
   FurtherDyadSolver dyads_;
   std::vector<Arms> waiting_;
-  mutable Cell scratch_;
+  Cell scratch_;
 };
 
 // ---- the family -----------------------------------------------------------------------------------------------------
@@ -319,8 +358,10 @@ void ArmFamily::add_any(Solver& solver, std::size_t tag, MapPoint place, const T
 std::vector<std::optional<ArmFamily::Found>> ArmFamily::best_of(std::span<const MapPoint> places,
                                                                 bool respect_direction, Simd simd) const {
   std::vector<std::optional<Found>> best(places.size());
-  const auto take = [&](std::size_t tag, const Found& found) {
-    if (!best[tag] || found.is_better_than(*best[tag])) best[tag] = found;
+  const auto take = [&](std::size_t tag, const Rated& rated) -> Found* {
+    std::optional<Found>& shown = best[tag];
+    if (shown && !rated.is_better_than(shown->rated)) return nullptr;
+    return &shown.emplace();
   };
   Solver solver(*this, respect_direction, simd);
   for (std::size_t i = 0; i < places.size(); ++i) add_all(solver, i, places[i], take);
@@ -333,11 +374,12 @@ std::vector<std::optional<ArmFamily::Found>> ArmFamily::best_of(std::span<const 
 
 std::vector<Cell> ArmFamily::all_at(MapPoint place, bool respect_direction) const {
   std::vector<Found> all;
-  const auto take = [&](std::size_t, const Found& found) { all.push_back(found); };
+  const auto take = [&](std::size_t, const Rated&) { return &all.emplace_back(); };
   Solver solver(*this, respect_direction, Simd::automatic);
   add_all(solver, 0, place, take);
   solver.finish(take);
-  std::stable_sort(all.begin(), all.end(), [](const Found& a, const Found& b) { return a.is_better_than(b); });
+  std::stable_sort(all.begin(), all.end(),
+                   [](const Found& a, const Found& b) { return a.rated.is_better_than(b.rated); });
   std::vector<Cell> cells;
   for (const Found& found : all) cells.push_back(found.cell(frame()));
   return cells;

@@ -46,10 +46,12 @@ class ArmFamily : public PathFamily {
 
  private:
   class Solver;
+  struct Rated;
   struct Found;
   struct Layer;
 
-  using Take = FunctionRef<void(std::size_t tag, const Found& found)>;
+  /// Where a linkage that is rated so is to be put; nothing where it is not wanted.
+  using Take = FunctionRef<Found*(std::size_t tag, const Rated& rated)>;
 
   [[nodiscard]] std::size_t dyads_of_pattern() const;
   [[nodiscard]] std::optional<Layer> layer_at(MapPoint place) const;

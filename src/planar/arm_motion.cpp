@@ -67,6 +67,7 @@ ArmMotion arm_motion(const PlacedArm& placed, std::span<const PathPlace> path, c
   bool has_derivatives = false;
   std::array<Point, ArmElbows::most_points> arm;
   std::size_t plain = 0;
+  double of_square = 1;
   for (std::size_t j = 0; j < path.size(); ++j) {
     const Point reached = path[j].jet.front() - placed.pivot;
     if (path[j].known == PathPlace::Angle::none)
@@ -76,8 +77,8 @@ ArmMotion arm_motion(const PlacedArm& placed, std::span<const PathPlace> path, c
     else
       motion.link[j] = reached - direction(path[j].angles.front()) * placed.at_zero;
     arm[j] = reached - motion.link[j];
-    const Point turn{dot(arm[0], arm[j]), cross(arm[0], arm[j])};
-    motion.turn[j] = turn / std::norm(arm[0]);  // both are the arm
+    if (j == 0) of_square = 1 / std::norm(arm[0]);
+    motion.turn[j] = {dot(arm[0], arm[j]) * of_square, cross(arm[0], arm[j]) * of_square};  // both are the arm
     has_derivatives = has_derivatives || path[j].jet.size() > 1;
   }
   for (std::size_t j = 0; j < path.size() && has_derivatives; ++j)

@@ -2,20 +2,20 @@
 
 // The further dyads of five positions one of whose dyads is known, a task to each lane: the two conics of
 // five_pose_lanes.hpp have that point in common, and through the others goes a binary cubic (docs/theory/path.md).
-// Included by the further_dyad_kernel_*.cpp files, one for each instruction set.
+// Included by arm_lanes.hpp.
 
+#include "planar/arm_kernel.hpp"
 #include "planar/five_pose_lanes.hpp"
-#include "planar/further_dyad_kernel.hpp"
 
 namespace linkwright::LINKWRIGHT_ISA {
 
 /// Of the known dyad in the parameters' space, unit vector.
 template <int Width>
-LINKWRIGHT_INLINE Vector3<Real<Width>> known_parameters(const NumberSpace<Width>& space, const FurtherDyadBlock& block,
+LINKWRIGHT_INLINE Vector3<Real<Width>> known_parameters(const NumberSpace<Width>& space, const ArmBlock& block,
                                                         int at) {
   using R = Real<Width>;
-  const R x = load<Width>(block.known_circle[0] + at), y = load<Width>(block.known_circle[1] + at);
-  const R u = load<Width>(block.known_center[0] + at), v = load<Width>(block.known_center[1] + at);
+  const R u = load<Width>(block.pivot[0] + at), v = load<Width>(block.pivot[1] + at);
+  const R x = u + load<Width>(block.link[0][0] + at), y = v + load<Width>(block.link[0][1] + at);
   const double root_half = 0.5 * root_two;
   const R number[7] = {root_half * (x * u + y * v), root_half * (y * u - x * v), x, y, u, v, R{} + 1.0};
   Vector3<R> sum{};
@@ -73,12 +73,9 @@ LINKWRIGHT_INLINE Vector3<Real<Width>> polished(Vector3<Real<Width>> point, cons
 }
 
 template <int Width>
-LINKWRIGHT_INLINE void further_dyads(FurtherDyadBlock& block, int at) {
+LINKWRIGHT_INLINE void further_dyads(ArmBlock& block, Row<Width> (&rows)[4], int at) {
   using R = Real<Width>;
   Certainty<Width> any;  // a near miss shows in the residuals
-  Row<Width> rows[4];
-  for (int j = 0; j < 4; ++j)
-    for (int i = 0; i < 7; ++i) rows[j][i] = load<Width>(block.row[j][i] + at);
   const NumberSpace<Width> space = number_space<Width>(rows, any);
   const Pencil<Width> pencil = pencil_of<Width>(space, any);
   const Vector3<R> known = known_parameters<Width>(space, block, at);
@@ -105,11 +102,6 @@ LINKWRIGHT_INLINE void further_dyads(FurtherDyadBlock& block, int at) {
     const Mask is_number = less<Width>(dot(point, point), R{} + 2.0);
     put_dyad<Width>(points_of_dyad<Width>(space, point), (i == 0 ? all_lanes<Width> : three) & is_number, block, i, at);
   }
-}
-
-template <int Width>
-void further_dyad_kernel(FurtherDyadBlock& block) {
-  for (int at = 0; at < block.count; at += Width) further_dyads<Width>(block, at);
 }
 
 }  // namespace linkwright::LINKWRIGHT_ISA
