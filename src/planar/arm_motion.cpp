@@ -1,11 +1,11 @@
-#include "arm_motion.hpp"
+#include "planar/arm_motion.hpp"
 
 #include <cmath>
 #include <numbers>
 
 #include "algebra/binary_form.hpp"
 #include "linkwright/core/angle.hpp"
-#include "turned_arm.hpp"
+#include "planar/turned_arm.hpp"
 
 namespace linkwright {
 namespace {

@@ -33,7 +33,7 @@ PLANAR = [
     ("circuit of a crank not looked at", "circuit = s.input_is_crank() & output_changes", "circuit = s.n3 & output_changes"),
     ("circuit of a rocker-crank not looked at", "circuit |= lanes & changes_sign<Width, Poses>([&](int j) { return pairs.at_input_moving(j); });", ";"),
     ("circuit of a double rocker not looked at", "circuit |= lanes & changes_sign<Width, Poses>([&](int j) { return pairs.at_input_fixed(j); });", ";"),
-    ("sector test loose", ": in_negative & out_positive", ": in_negative | out_positive"),
+    ("sector test loose", "? in | out : in & out;", "? in | out : in | out;"),
     ("sector test turned", "in_negative = less<Width>(turn_in, Real{})", "in_negative = less<Width>(Real{}, turn_in)"),
     ("passing along the frame always possible", "(passes_0 & ~limits.can_pass_0) |", ""),
     ("passing opposite to the frame always possible", "| (passes_pi & ~limits.can_pass_pi)", ""),
@@ -41,7 +41,7 @@ PLANAR = [
     ("angle along the frame and opposite exchanged", "passes_0 ? angle_at(std::abs(l.ground - l.input))",
      "passes_0 ? angle_at(l.ground + l.input)"),
     ("what the driver passes exchanged", "verdict.passes_0 = way.best.passes_0;", "verdict.passes_0 = way.best.passes_pi;"),
-    ("sense of the drive exchanged", "at_least_half_turn & ccw_bit", "at_least_half_turn & cw_bit"),
+    ("sense of the drive exchanged", "is_half(ccw_bit)", "is_half(cw_bit)"),
 ]
 
 SPHERICAL = [
@@ -122,6 +122,19 @@ ARMS = [
     ("left half of the plane upside down", "v.real() < 0 ? 2 - share : share", "v.real() < 0 ? 2 + share : share"),
 ]
 
+ARM_MOTIONS = [
+    ("body's angle taken for the link's", "motion.link[j] = reached - direction(path[j].angles.front()) * placed.at_zero;",
+     "motion.link[j] = direction(path[j].angles.front()) * placed.at_zero;"),
+    ("body turned the other way", "cross(arm[0], arm[j]) * of_square", "cross(arm[j], arm[0]) * of_square"),
+    ("rates of link and body exchanged", "return {known, rates_of_rest(place.jet, arm, link, known)};",
+     "return {rates_of_rest(place.jet, arm, link, known), known};"),
+    ("what is known of a derivative left in", "rest[k] = jet[k] - rest[k];", "rest[k] = jet[k] + rest[k];"),
+    ("rate of the link by the link", "cross(rest, i * arm) / size", "cross(rest, i * link) / size"),
+    ("square of the bend left out", "turned_arm(arm, 0, rates.body).back();", "Point{};"),
+    ("condition conjugated", "-std::numbers::sqrt2 * q.imag()", "std::numbers::sqrt2 * q.imag()"),
+    ("elbow of the wrong point", "elbow(elbows, pattern, plain++)", "elbow(elbows, pattern, plain)"),
+]
+
 STRAIGHT_LINE_CHECK = ["tests/mutants/straight_line_check.cpp", "tests/support/straight_line_tasks.cpp",
                        "tests/support/random_task.cpp"]
 
@@ -132,6 +145,7 @@ SUBJECTS = {
     "spherical": ("src/mechanism/spherical_defects.cpp", ["src/mechanism/spherical_verdict.hpp"],
                   ["tests/mutants/spherical_check.cpp"], SPHERICAL),
     "arms": ("src/planar/arm_reach.cpp", [], ["tests/mutants/arm_check.cpp"], ARMS),
+    "motions of arms": ("src/planar/arm_motion.cpp", [], ["tests/mutants/arm_motion_check.cpp"], ARM_MOTIONS),
     "cases of straight lines": ("src/straight_line/line_cases.cpp", [], STRAIGHT_LINE_CHECK, LINE_CASES),
     "contacts at places": ("src/straight_line/mixed_contacts.cpp", [], STRAIGHT_LINE_CHECK, CONTACTS),
     "sensitivities": ("src/robust/sensitivity.cpp", [],
