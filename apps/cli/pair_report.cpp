@@ -28,18 +28,25 @@ std::string length_or_slider(const Dyad& dyad, const WorkingFrame& frame, int de
 /// Number of a grounded link or linkage from its place on the axis.
 int number_at(double coordinate) { return static_cast<int>(std::floor(coordinate)) + 1; }
 
-std::string pair_name(const FourBarSolution& found) {
-  const int input = number_at(found.input.coordinate);
-  return found.function ? fmt::format("{}", input) : fmt::format("{}–{}", input, number_at(found.output.coordinate));
+/// Both links have numbers of their own.
+bool are_pairs(const FourBarAnswer& answer) {
+  const auto has_number = [&](Side side) { return answer.family()->axis(side).quantity != AxisQuantity::nothing; };
+  return has_number(Side::input) && has_number(Side::output);
+}
+
+std::string pair_name(const FourBarAnswer& answer, const FourBarSolution& found) {
+  const int input = number_at(found.input.coordinate), output = number_at(found.output.coordinate);
+  if (are_pairs(answer)) return fmt::format("{}–{}", input, output);
+  const bool is_input = answer.family()->axis(Side::output).quantity == AxisQuantity::nothing;
+  return fmt::format("{}", is_input ? input : output);
 }
 
 std::string pair_table(const FourBarAnswer& answer) {
   const int decimals = decimals_for(answer.pairs);
-  const bool are_functions = answer.pairs.front().function.has_value();
-  TextTable table({are_functions ? "#" : "pair", "<type", "<drive", "γ", "γ turn", "ratio", "ground", "input",
+  TextTable table({are_pairs(answer) ? "pair" : "#", "<type", "<drive", "γ", "γ turn", "ratio", "ground", "input",
                    "coupler", "output"});
   for (const FourBarSolution& found : answer.pairs) {
-    std::vector<std::string> cells = {pair_name(found), std::string(short_label(found.report.type)),
+    std::vector<std::string> cells = {pair_name(answer, found), std::string(short_label(found.report.type)),
                                       drive_text(found.report), task_gamma(found.report),
                                       full_turn_gamma(found.report)};
     for (std::string& cell : length_cells(found.lengths, decimals)) cells.push_back(std::move(cell));
@@ -52,7 +59,7 @@ std::string reasons(const FourBarAnswer& answer) {
   std::string text;
   for (const FourBarSolution& found : answer.pairs) {
     const auto reason = defect_notice(found, answer.given);
-    if (reason) text += wrapped(fmt::format("  {}: {}", pair_name(found), reason->message), 6);
+    if (reason) text += wrapped(fmt::format("  {}: {}", pair_name(answer, found), reason->message), 6);
   }
   return text.empty() ? "" : "Why they fail:\n" + text;
 }

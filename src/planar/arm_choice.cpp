@@ -258,22 +258,11 @@ class FewChoice : public ArmChoice {
   std::vector<ArmAtPlace> here_;
 };
 
-Notice no_linkage_between_pivots(int ends) {
-  return {
-      "no_linkage_between_pivots",
-      fmt::format("No four-bar on these two ground pivots takes a point of its coupler through all five points: of {} "
-                  "solutions that such a task has, {} were found, and none of them is real. Move a pivot or a point.",
-                  FivePointSystem::solutions, ends),
-      {{"solutions", FivePointSystem::solutions}, {"ends", ends}}};
-}
-
-Notice lost_solutions(int ends) {
-  return {
-      "fewer_solutions",
-      fmt::format("Of {} solutions that a task of five points and two ground pivots has, {} were found: the others lie "
-                  "at infinity, coincide, or were lost on their way, so that a linkage may be missing.",
-                  FivePointSystem::solutions, ends),
-      {{"solutions", FivePointSystem::solutions}, {"ends", ends}}};
+/// `sentence`: of how many solutions there are, and how many were found.
+Notice about_solutions(std::string_view code, fmt::format_string<const int&, int&> sentence, int ends) {
+  return {std::string(code),
+          fmt::format(sentence, FivePointSystem::solutions, ends),
+          {{"solutions", FivePointSystem::solutions}, {"ends", ends}}};
 }
 
 ArmChoiceSetup choice_of_few(const PathTask& task, const ArmTask& arms) {
@@ -285,10 +274,19 @@ ArmChoiceSetup choice_of_few(const PathTask& task, const ArmTask& arms) {
   ArmChoiceSetup setup;
   setup.has_none = found.real.empty();
   if (setup.has_none) {
-    setup.degeneracy = no_linkage_between_pivots(found.ends);
+    setup.degeneracy = about_solutions(
+        "no_linkage_between_pivots",
+        "No four-bar on these two ground pivots takes a point of its coupler through all five points: of {} solutions "
+        "that such a task has, {} were found, and none of them is real. Move a pivot or a point.",
+        found.ends);
     return setup;
   }
-  if (found.ends < FivePointSystem::solutions) setup.warnings.push_back(lost_solutions(found.ends));
+  if (found.ends < FivePointSystem::solutions)
+    setup.warnings.push_back(about_solutions(
+        "fewer_solutions",
+        "Of {} solutions that a task of five points and two ground pivots has, {} were found: the others lie at "
+        "infinity, coincide, or were lost on their way, so that a linkage may be missing.",
+        found.ends));
   setup.choice = std::make_shared<const FewChoice>(found.real, plain);
   return setup;
 }
