@@ -23,7 +23,8 @@ PATTERNS = {"tailgate": "P-P-P-P", "drawer_hinge": "P-P-P-P", "dump_bucket": "P-
             "loader_bucket": "P-P-P-P", "loader_bucket_chain": "P-P-P-P",
             "folding_wing": "P-P-P-P", "wrist_orthosis": "P-P-P-P", "antenna_pointing": "P-P-P-P",
             "ankle_orthosis": "P-P-P-P-P", "universal_joint_like": "P-P-P-P", "film_claw": "P-P-P-P",
-            "dough_mixer": "P-P-P-P-P", "windscreen_wiper": "P-P-P"}
+            "dough_mixer": "P-P-P-P-P", "windscreen_wiper": "P-P-P", "thread_take_up": "PP-P-P",
+            "walking_leg_path": "P-P-P-P-P", "packaging_feeder": "P-P-P-P-P", "garage_door_point": "P-P-P-P-P"}
 
 # What the function generators are to generate.
 WANTED = {"sine_generator": lambda x: math.sin(math.radians(x)), "log_generator": math.log10, "flow_meter": math.sqrt,
