@@ -50,7 +50,8 @@ void check_points(const PathTask& task, const Bars& bars, const json& entry, Wro
   const double allowed = most * extent(task, bars) + rounding(bars);
   const double output = std::abs(bars.output_moving - bars.output_fixed);
   for (std::size_t j = 0; j < task.points.size(); ++j) {
-    const Point crank = direction(radians(turns[j].get<double>())), coupler = direction(radians(angles[j].get<double>()));
+    const Point crank = direction(radians(turns[j].get<double>())),
+                coupler = direction(radians(angles[j].get<double>()));
     const Point pin = bars.input_fixed + crank * (bars.input_moving - bars.input_fixed);
     const double off = std::abs(pin + coupler * (bars.point - bars.input_moving) - task.points[j].point);
     if (!(off <= allowed)) wrongs.push_back(fmt::format("point {} is missed by {:.1e}", j + 1, off));
@@ -62,7 +63,7 @@ void check_points(const PathTask& task, const Bars& bars, const json& entry, Wro
 }
 
 /// Angles given, from the first point that has one on.
-void check_angles(const PathTask& task, const json& turns, std::optional<double> PathPoint::* angle,
+void check_angles(const PathTask& task, const json& turns, std::optional<double> PathPoint::*angle,
                   std::string_view which, Wrongs& wrongs) {
   std::optional<std::size_t> first;
   for (std::size_t j = 0; j < task.points.size(); ++j) {
@@ -71,7 +72,8 @@ void check_angles(const PathTask& task, const json& turns, std::optional<double>
     if (!first) first = j;
     const double turned = radians(turns[j].get<double>() - turns[*first].get<double>());
     const double off = std::abs(wrap_signed(turned - (*given - *(task.points[*first].*angle))));
-    if (!(off <= most)) wrongs.push_back(fmt::format("the {} is off its angle at point {} by {:.1e}", which, j + 1, off));
+    if (!(off <= most))
+      wrongs.push_back(fmt::format("the {} is off its angle at point {} by {:.1e}", which, j + 1, off));
   }
 }
 

@@ -59,7 +59,8 @@ std::string result_of(const Session& session, const Answer& answer) {
 
 /// Where the linkages stand that share a place of the map, the best first.
 std::vector<MapPoint> all_at(const Session& session, MapPoint place) {
-  const auto* paths = dynamic_cast<const PathFamily*>(session.family());
+  const auto* known = std::get_if<PathAnswer>(&session.known());
+  const PathFamily* paths = known == nullptr ? nullptr : known->given.paths.get();
   if (paths == nullptr || paths->axis(Side::input).layers == 0) return {place};
   place.input = paths->axis(Side::input).onto(place.input);
   std::vector<MapPoint> places;
