@@ -20,7 +20,7 @@ WIPER = lw.PathTask([(0, 0), (260, 90), (420, 300)], {"input": [150, -200], "out
 FORMS = {  # a task of each, and the shape of its map at 40 samples
     "film_claw_timed": (40, 40),
     "thread_takeup_timed_mixed": (40, 40),
-    "stirrer_timed_five": (12, 12),
+    "stirrer_timed_five": (4, 4),
     "dough_mixer_five_points": (40, 40),
     "wiper_pivots_three_points": (40, 40),
     "feeder_three_poses_two_points": (40, 40),
@@ -158,7 +158,7 @@ def crowded(point: lw.PathPoint) -> lw.PathTask:
         (crowded(lw.PathPoint(0, 0, input_deg=5, theta_deg=5)), "task.points[0]", "more than a four-bar can keep"),
         (lw.PathTask([lw.PathPoint(x, y, theta_deg=20 * x) for x, y in FIVE]), "task.points", '"kind" to "motion"'),
         (lw.PathTask([*FIVE[:4], (3, 4, 5)]), "task.points", "three go with two, and four with one"),
-        (crowded(lw.PathPoint(0, 0, derivatives=[{"x": 0, "y": 0}])), "task.points[0].derivatives[0]", "stand still"),
+        (lw.PathTask([*FIVE[:3], lw.PathPoint(60, 230, derivatives=[{"x": 0, "y": 0}])], PIVOT), "task.points[3].derivatives[0]", "stand still"),
     ],
 )
 def test_refusals_have_their_place_and_the_program_s_sentence(task: lw.PathTask, where: str, part: str, tmp_path: Path) -> None:
