@@ -186,7 +186,7 @@ class Examples(FaceTest):
             for pose, turned in zip(poses, input_turns(bars, poses, {"ccw": 1, "cw": -1}[linkage["drive"]])):
                 if not pose.direction:
                     continue
-                seen.add(tuple(pose.direction.items()))
+                seen.add((pose.direction["x"], pose.direction["y"]))  # of a path each linkage turns its coupler otherwise
                 step = {"ccw": 1e-4, "cw": -1e-4}[linkage["drive"]]
                 joint = pose.carries(bars.output_circle, poses[0])
                 ahead, back = (bars.driven_to(turned + way, joint) for way in (step, -step))
@@ -201,6 +201,7 @@ class Examples(FaceTest):
 
         self.for_each_linkage(check)
         self.assertEqual(len(seen), 4)
+        self.assertIn((18, -2), seen)  # the take-up lever
 
     def test_the_drawer_comes_straight_out(self):
         """Halving the way out divides what is left of the deviation by 8: direction and curvature are those told."""
