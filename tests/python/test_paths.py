@@ -63,6 +63,11 @@ def test_points_of_all_kinds_are_the_same_task() -> None:
     assert lw.solve(lw.PathTask(TIMED), samples=20).export() == lw.solve(lw.PathTask(by_name), samples=20).export()
 
 
+def test_a_point_has_two_numbers_or_three() -> None:
+    with pytest.raises(ValueError, match="not 4 numbers"):
+        lw.solve(lw.PathTask([(0, 0, 5, 5)] * 4))
+
+
 @pytest.mark.parametrize("name", FORMS)
 def test_each_form_is_that_of_the_program(name: str, tmp_path: Path) -> None:
     task, file = of_data(name), tmp_path / "result.json"

@@ -142,7 +142,7 @@ class PathTask:
     ground_pivots: Mapping[str, Sequence[Number]] | None = None
 
     def to_dict(self) -> dict[str, Any]:
-        points = [point if isinstance(point, (PathPoint, Mapping)) else PathPoint(*point) for point in self.points]
+        points = [point if isinstance(point, (PathPoint, Mapping)) else _path_point(point) for point in self.points]
         given = None if self.ground_pivots is None else {"ground_pivots": self.ground_pivots}
         return _without_empty({"kind": "path", "mechanism": "four_bar", "points": points, "given": given})
 
@@ -252,6 +252,12 @@ def to_json(value: Any) -> str:
 def is_json(problem: Any) -> bool:
     """Text that is a problem, rather than the name of a file that holds one."""
     return isinstance(problem, str) and problem.lstrip().startswith(("{", "[", "//"))
+
+
+def _path_point(numbers: Sequence[Number]) -> PathPoint:
+    if len(numbers) not in (2, 3):
+        raise ValueError(f"a point of a path is (x, y) or (x, y, input_deg), not {len(numbers)} numbers")
+    return PathPoint(numbers[0], numbers[1], numbers[2] if len(numbers) == 3 else None)
 
 
 def _plain(value: Any) -> Any:
