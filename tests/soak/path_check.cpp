@@ -15,7 +15,7 @@ using Wrongs = std::vector<std::string>;
 
 constexpr double most = 1e-6;  // of lengths and of radians: what the solver leaves out by its own word
 
-std::optional<Point> point_of(const json& value) {
+std::optional<Point> finite_point(const json& value) {
   if (!value.is_array()) return std::nullopt;
   return Point{value[0].get<double>(), value[1].get<double>()};
 }
@@ -26,15 +26,15 @@ struct Bars {
 };
 
 std::optional<Bars> bars_of(const json& entry) {
-  const auto end = [&](const char* side, const char* key) { return point_of(entry[side][key]); };
+  const auto end = [&](const char* side, const char* key) { return finite_point(entry[side][key]); };
   const auto a0 = end("input", "center_point"), a = end("input", "circle_point"), b0 = end("output", "center_point"),
-             b = end("output", "circle_point"), p = point_of(entry["point"]);
+             b = end("output", "circle_point"), p = finite_point(entry["point"]);
   if (!a0 || !a || !b0 || !b || !p) return std::nullopt;
   return Bars{*a0, *a, *b0, *b, *p};
 }
 
 /// How far rounding of the coordinates may be off, all of which were written from the origin of the sheet.
-double rounding(const Bars& bars) {
+double rounding_of_places(const Bars& bars) {
   return 1e-13 * (std::abs(bars.input_fixed) + std::abs(bars.input_moving) + std::abs(bars.output_fixed) +
                   std::abs(bars.output_moving) + std::abs(bars.point));
 }
@@ -47,7 +47,7 @@ double extent(const PathTask& task, const Bars& bars) {
 
 void check_points(const PathTask& task, const Bars& bars, const json& entry, Wrongs& wrongs) {
   const json &turns = entry["input_deg_at_points"], &angles = entry["theta_deg_at_points"];
-  const double allowed = most * extent(task, bars) + rounding(bars);
+  const double allowed = most * extent(task, bars) + rounding_of_places(bars);
   const double output = std::abs(bars.output_moving - bars.output_fixed);
   for (std::size_t j = 0; j < task.points.size(); ++j) {
     const Point crank = direction(radians(turns[j].get<double>())),
@@ -93,7 +93,7 @@ std::vector<std::string> wrongs_of_path(const PathTask& task, const json& wanted
   check_points(task, *bars, entry, wrongs);
   check_angles(task, entry["input_deg_at_points"], &PathPoint::input, "crank", wrongs);
   check_angles(task, entry["theta_deg_at_points"], &PathPoint::angle, "coupler", wrongs);
-  const double allowed = most * extent(task, *bars) + rounding(*bars);
+  const double allowed = most * extent(task, *bars) + rounding_of_places(*bars);
   check_pivot(task.pivots.input, bars->input_fixed, allowed, wrongs);
   check_pivot(task.pivots.output, bars->output_fixed, allowed, wrongs);
   return wrongs;
