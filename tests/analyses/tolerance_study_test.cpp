@@ -119,7 +119,8 @@ TEST_P(EachKind, ARequirementKeepsLargeErrorsOut) {
 INSTANTIATE_TEST_SUITE_P(Examples, EachKind,
                          ::testing::Values("tailgate", "latch", "footrest", "hood_hinge", "sine_generator",
                                            "folding_wing", "universal_joint_like", "loader_bucket_chain",
-                                           "straight_luffing_crane", "film_claw", "dough_mixer"));
+                                           "straight_luffing_crane", "film_claw", "dough_mixer", "packaging_feeder",
+                                           "garage_door_point", "walking_leg_path"));
 
 Problem with_limit(double limit) {
   Problem problem = problem_of("tailgate");

@@ -23,7 +23,8 @@ PATTERNS = {"tailgate": "P-P-P-P", "drawer_hinge": "P-P-P-P", "dump_bucket": "P-
             "loader_bucket": "P-P-P-P", "loader_bucket_chain": "P-P-P-P",
             "folding_wing": "P-P-P-P", "wrist_orthosis": "P-P-P-P", "antenna_pointing": "P-P-P-P",
             "ankle_orthosis": "P-P-P-P-P", "universal_joint_like": "P-P-P-P", "film_claw": "P-P-P-P",
-            "dough_mixer": "P-P-P-P-P", "windscreen_wiper": "P-P-P"}
+            "dough_mixer": "P-P-P-P-P", "windscreen_wiper": "P-P-P", "thread_take_up": "PP-P-P",
+            "walking_leg_path": "P-P-P-P-P", "packaging_feeder": "P-P-P-P-P", "garage_door_point": "P-P-P-P-P"}
 
 # What the function generators are to generate.
 WANTED = {"sine_generator": lambda x: math.sin(math.radians(x)), "log_generator": math.log10, "flow_meter": math.sqrt,
@@ -185,7 +186,7 @@ class Examples(FaceTest):
             for pose, turned in zip(poses, input_turns(bars, poses, {"ccw": 1, "cw": -1}[linkage["drive"]])):
                 if not pose.direction:
                     continue
-                seen.add(tuple(pose.direction.items()))
+                seen.add((pose.direction["x"], pose.direction["y"]))  # of a path each linkage turns its coupler otherwise
                 step = {"ccw": 1e-4, "cw": -1e-4}[linkage["drive"]]
                 joint = pose.carries(bars.output_circle, poses[0])
                 ahead, back = (bars.driven_to(turned + way, joint) for way in (step, -step))
@@ -200,6 +201,7 @@ class Examples(FaceTest):
 
         self.for_each_linkage(check)
         self.assertEqual(len(seen), 4)
+        self.assertIn((18, -2), seen)  # the take-up lever
 
     def test_the_drawer_comes_straight_out(self):
         """Halving the way out divides what is left of the deviation by 8: direction and curvature are those told."""

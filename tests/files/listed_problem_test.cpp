@@ -54,7 +54,9 @@ INSTANTIATE_TEST_SUITE_P(Examples, EachKindOfResult,
                          ::testing::Values("tailgate", "latch", "nose_gear", "hood_hinge", "sine_generator",
                                            "flow_meter", "folding_wing", "universal_joint_like", "loader_bucket",
                                            "loader_bucket_chain", "straight_luffing_crane", "straight_stage",
-                                           "straight_search", "film_claw", "dough_mixer", "windscreen_wiper"));
+                                           "straight_search", "film_claw", "dough_mixer", "windscreen_wiper",
+                                           "thread_take_up", "walking_leg_path", "packaging_feeder",
+                                           "garage_door_point"));
 
 TEST(ListedProblem, RefusesWhatIsNoResultAndNumbersBeyond) {
   const testing::Solved& sine = testing::function();

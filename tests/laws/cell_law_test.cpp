@@ -50,10 +50,26 @@ void compare(const LinkageFamily& family, const RegionMap& map, bool respect_dir
 }
 
 TEST(CellLaw, AgreesWithTheMapOfEveryKind) {
-  for (const std::string name :
-       {"tailgate", "landing_gear", "dump_bucket", "hood_hinge", "sine_generator", "log_generator",
-        "loader_bucket_chain", "wrist_orthosis", "antenna_pointing", "universal_joint_like", "straight_stage",
-        "straight_indicator", "straight_luffing_crane", "film_claw", "dough_mixer", "windscreen_wiper"}) {
+  for (const std::string name : {"tailgate",
+                                 "landing_gear",
+                                 "dump_bucket",
+                                 "hood_hinge",
+                                 "sine_generator",
+                                 "log_generator",
+                                 "loader_bucket_chain",
+                                 "wrist_orthosis",
+                                 "antenna_pointing",
+                                 "universal_joint_like",
+                                 "straight_stage",
+                                 "straight_indicator",
+                                 "straight_luffing_crane",
+                                 "film_claw",
+                                 "dough_mixer",
+                                 "windscreen_wiper",
+                                 "thread_take_up",
+                                 "walking_leg_path",
+                                 "packaging_feeder",
+                                 "garage_door_point"}) {
     SCOPED_TRACE(name);
     auto problem = read_problem_file(std::filesystem::path(LINKWRIGHT_EXAMPLES_DIR) / (name + ".json"));
     ASSERT_TRUE(problem);

@@ -10,6 +10,7 @@
 #include "line_check.hpp"
 #include "linkwright/core/angle.hpp"
 #include "linkwright/region/measure.hpp"
+#include "path_check.hpp"
 #include "tolerance_check.hpp"
 
 namespace linkwright::soak {
@@ -87,7 +88,12 @@ const std::set<std::string>& keys_that_may_be_null() {
                                              "signal_to_noise_db",
                                              "yield",
                                              "yield_interval",
-                                             "allocation"};
+                                             "allocation",
+                                             "circuit_order",
+                                             "cognate",
+                                             "moving_pivot",
+                                             "crank_length",
+                                             "point_arm"};
   return keys;
 }
 
@@ -257,9 +263,16 @@ void check_grounded_link(const std::vector<PrescribedPose>& poses, const json& d
     wrongs.push_back(fmt::format("{} changes its length by {:.1e} over the poses", which, change));
 }
 
+/// Of its links; not the arms from them to a point.
+std::vector<double> four_bar_lengths(const json& entry) {
+  std::vector<double> lengths;
+  for (const char* link : {"ground", "input", "coupler", "output"})
+    lengths.push_back(entry["lengths"][link].get<double>());
+  return lengths;
+}
+
 Looked four_bar_looked_at(const json& entry) {
-  Looked linkage{entry, {}, {}, {}};
-  for (const auto& [name, length] : entry["lengths"].items()) linkage.lengths.push_back(length.get<double>());
+  Looked linkage{entry, four_bar_lengths(entry), {}, {}};
   for (const char* side : {"input", "output"}) {
     if (entry[side]["center_point"].is_array()) linkage.ground.push_back(point_of(entry[side]["center_point"]));
     if (entry[side]["circle_point"].is_array()) linkage.moving.push_back(point_of(entry[side]["circle_point"]));
@@ -328,6 +341,8 @@ void check_linkages(const Problem& problem, const json& result, Wrongs& wrongs) 
                        : is_spherical ? Looked{entry, {}, {}, {}}
                                       : six_bar_looked_at(entry),
                        found);
+    if (const auto* path = std::get_if<PathTask>(&problem.task))
+      for (const std::string& wrong : wrongs_of_path(*path, wanted, entry)) found.push_back(wrong);
     if (is_spherical) check_spherical(wanted, entry, found);
     if (const auto* sphere = std::get_if<SphericalMotionTask>(&problem.task))
       for (const char* side : {"input", "output"}) check_dyad_angle(sphere->orientations, entry[side], side, found);
@@ -367,6 +382,9 @@ void check_order(const json& result, Wrongs& wrongs) {
       worth = 180;
       for (const auto& [name, angle] : entry["angles_deg"].items())
         worth = std::min({worth, angle.get<double>(), 180 - angle.get<double>()});
+    } else if (entry.contains("point") && entry["mechanism"] == "four_bar" && !entry.contains("usable")) {
+      const std::vector<double> lengths = four_bar_lengths(entry);
+      worth = -*std::max_element(lengths.begin(), lengths.end());
     } else if (entry["lengths"].is_object()) {
       worth = -std::max_element(entry["lengths"].begin(), entry["lengths"].end())->get<double>();
     } else {

@@ -87,6 +87,16 @@ Json drawn_requirements(Draw& draw, const Sheet& sheet) {
   return wanted;
 }
 
+Json drawn_path_requirements(Draw& draw, const Sheet& sheet) {
+  Json wanted = drawn_requirements(draw, sheet);
+  if (draw.chance(0.25)) wanted["full_turn"] = draw.chance(0.8);
+  if (draw.chance(0.3)) {  // most pass their points with defects alone, and shall pass them
+    wanted["no_defects"] = false;
+    wanted.erase("min_transmission_angle_deg");
+  }
+  return wanted;
+}
+
 /// A part of the map: coordinates run over [0, 1] to [0, 3].
 Json drawn_window(Draw& draw) {
   const Json rows = drawn_interval(draw, 0.9, 1);
@@ -127,6 +137,7 @@ DrawnProblem drawn_problem(std::uint64_t seed, std::uint64_t index, std::optiona
   Json problem = {{"linkwright", 1}, {"task", drawn_task(draw, sheet, kind)}};
   const bool is_line = kind.starts_with("line");
   problem["requirements"] = is_line                      ? drawn_line_requirements(draw, sheet)
+                            : kind.starts_with("path")   ? drawn_path_requirements(draw, sheet)
                             : kind.starts_with("sphere") ? drawn_spherical_requirements(draw)
                                                          : drawn_requirements(draw, sheet);
   problem["options"] = is_line ? drawn_line_options(draw, sheet, kind) : drawn_options(draw, sheet, kind);

@@ -9,7 +9,7 @@
 namespace linkwright::soak {
 
 /// The kinds of problem that a file can state.
-inline constexpr std::array<std::string_view, 37> kinds = {"three_lengths",
+inline constexpr std::array<std::string_view, 45> kinds = {"three_lengths",
                                                            "three_length",
                                                            "three_angle",
                                                            "three_center",
@@ -45,7 +45,15 @@ inline constexpr std::array<std::string_view, 37> kinds = {"three_lengths",
                                                            "line_five",
                                                            "line_mixed",
                                                            "line_lambda",
-                                                           "line_search"};
+                                                           "line_search",
+                                                           "path_timed",
+                                                           "path_timed_five",
+                                                           "path_timed_pivot",
+                                                           "path_some_timed",
+                                                           "path_poses",
+                                                           "path_pivot",
+                                                           "path_pivots",
+                                                           "path_few"};
 
 struct DrawnProblem {
   std::string_view kind;

@@ -21,9 +21,14 @@ MapRequest coarse() {
   return request;
 }
 
-const char* const examples[] = {"tailgate",   "latch",        "nose_gear",      "sine_generator",
-                                "flow_meter", "folding_wing", "straight_stage", "universal_joint_like",
-                                "bin_lid",    "film_claw",    "dough_mixer",    "windscreen_wiper"};
+const char* const examples[] = {"tailgate",         "latch",
+                                "nose_gear",        "sine_generator",
+                                "flow_meter",       "folding_wing",
+                                "straight_stage",   "universal_joint_like",
+                                "bin_lid",          "film_claw",
+                                "dough_mixer",      "windscreen_wiper",
+                                "thread_take_up",   "walking_leg_path",
+                                "packaging_feeder", "garage_door_point"};
 
 TEST(Session, CountsWhatSolveCounts) {
   int compared = 0;

@@ -23,6 +23,8 @@ from .sweeps import Sweep, SweepPlan, load_sweep, sweep
 from .tasks import (
     FunctionTask,
     MotionTask,
+    PathPoint,
+    PathTask,
     Pose,
     Problem,
     SixBarTask,
@@ -41,6 +43,8 @@ __all__ = [
     "LiveMap",
     "Mistake",
     "MotionTask",
+    "PathPoint",
+    "PathTask",
     "Pose",
     "Problem",
     "ProblemError",

@@ -242,6 +242,18 @@ class FourBar(Linkage):
         return {f"{side}_{kind}": dyad[key] for side, dyad in sides.items() for kind, key in kinds.items()}
 
 
+    @property
+    def full_turn(self) -> bool | None:
+        """Paths: the crank turns fully, so that the path is closed; None of other tasks."""
+        return self.properties.get("full_turn")
+
+    @property
+    def elbows(self) -> str | None:
+        """Paths with points at which no angle is given: on which side of the line from the arm's ground pivot to each of
+        them its elbow stands, ``+`` left or ``-`` right, and which of the further dyads, e.g. ``+-++- 2``; else None."""
+        return self.properties.get("elbows")
+
+
 class SixBar(Linkage):
     """A planar six-bar, driven by body 1 at hinge a."""
 

@@ -26,7 +26,7 @@ type_colors = dict(zip(_linkwright.linkage_types, _linkwright.type_colors))
 
 
 def answer(answer: Answer, *, figsize: tuple[float, float] = (12, 5.5), measure: str | None = None) -> Any:
-    """Poses, curves and the best linkage beside the solution region. Returns the figure."""
+    """Poses or points, curves and the best linkage beside the solution region. Returns the figure."""
     from matplotlib import pyplot
 
     figure = pyplot.figure(figsize=figsize, layout="constrained")
@@ -43,7 +43,7 @@ def answer(answer: Answer, *, figsize: tuple[float, float] = (12, 5.5), measure:
     if map_ is not None:
         right = figure.add_subplot(1, places, 2)
         region(map_, right, measure=measure)
-        _mark(right, found)
+        _mark(right, map_, found)
     if answer.problem.get("title"):
         figure.suptitle(answer.problem["title"], color=colors["ink"])
     return figure
@@ -100,7 +100,7 @@ def region(
 
 def curves(answer: Answer, ax: Any = None) -> Any:
     """The curves of fixed pivots (solid) and moving pivots in position 1 (dashed), or the few dyads of five positions,
-    and the poses of the task. Returns the axes."""
+    and the poses or points of the task. Returns the axes."""
     ax = _plane(ax)
     curve = answer.curve
     samples = curve["samples"] if curve else {}
@@ -115,6 +115,11 @@ def curves(answer: Answer, ax: Any = None) -> Any:
     poses = answer.problem["task"].get("poses") or []
     for number, pose in enumerate(poses, 1):
         _frame(ax, pose["x"], pose["y"], pose["theta_deg"], 0.08 * answer.characteristic_length, str(number))
+    for number, point in enumerate(answer.problem["task"].get("points") or [], 1):
+        ax.plot(point["x"], point["y"], "o", color=colors["accent"], markersize=4, zorder=5)
+        ax.annotate(
+            str(number), (point["x"], point["y"]), textcoords="offset points", xytext=(5, 4), fontsize=8, color=colors["ink2"]
+        )
     if poses:
         _look_at(ax, np.array([[pose["x"], pose["y"]] for pose in poses]), answer.characteristic_length)
     return ax
@@ -175,13 +180,15 @@ def _legend(ax: Any, codes: Array) -> None:
     ax.legend(handles=handles, fontsize=7, loc="upper right", framealpha=0.9)
 
 
-def _mark(ax: Any, linkages: Sequence[Linkage]) -> None:
+def _mark(ax: Any, region: Region, linkages: Sequence[Linkage]) -> None:
     """Where the linkages listed stand, those whose place is that of both dyads."""
+    ends = [axis["branches"][-1]["to"] for axis in reversed(region.about["axes"])]
     for number, linkage in enumerate(linkages, 1):
         sides = [linkage.properties.get(side) for side in ("output", "input")]
         if any(side is None or "coordinate" not in side for side in sides):
             return
-        x, y = (side["coordinate"] for side in sides if side)
+        # Coordinates beyond the end of an axis are of a layer of it.
+        x, y = (at if at <= end else at % 1 for at, end in zip((side["coordinate"] for side in sides if side), ends))
         ax.plot(x, y, "o", color=colors["ink"], markerfacecolor="white", markersize=5)
         if number == 1:
             ax.annotate("1", (x, y), textcoords="offset points", xytext=(5, 5), fontsize=8)

@@ -79,17 +79,18 @@ class Session:
         return copy
 
     def move(self, position: int, **members: float) -> None:
-        """Changes a pose of the task: ``move(3, x=-210)``.
+        """Changes a pose of the task, or a point of a path: ``move(3, x=-210)``.
 
         Args:
             position: from 1.
-            members: of the pose, e.g. ``x``, ``y``, ``theta_deg``.
+            members: of the pose or point, e.g. ``x``, ``y``, ``theta_deg``.
         """
         problem = self.problem
-        poses = problem["task"].get("poses") or []
-        if not 1 <= position <= len(poses):
-            raise IndexError(f"there is no pose {position}: this task has {len(poses)}")
-        poses[position - 1].update(members)
+        name = "point" if problem["task"]["kind"] == "path" else "pose"
+        places = problem["task"].get(f"{name}s") or []
+        if not 1 <= position <= len(places):
+            raise IndexError(f"there is no {name} {position}: this task has {len(places)}")
+        places[position - 1].update(members)
         self.set(problem)
 
     def explore(
@@ -125,6 +126,11 @@ class Session:
         record = record_of(json.loads(text)["linkages"][0] if text else {})
         record["reason"], record["states"] = reason or None, states
         return record
+
+    def all_at(self, input: float, output: float) -> list[tuple[float, float]]:
+        """Where the linkages stand that share a place of the map, the best by the requirements first: coordinates for
+        :meth:`linkage` and :meth:`export`. Several only of paths with layers; elsewhere the place itself."""
+        return self._session.all_at(input, output)
 
     def best(self, most: int = 1) -> list[Record]:
         """The best linkages, at most so many, best first, as result files have them."""

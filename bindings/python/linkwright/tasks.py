@@ -106,6 +106,48 @@ class FunctionTask:
 
 
 @dataclass(frozen=True)
+class PathPoint:
+    """A place that a point of the coupler is to pass, fixed frame.
+
+    Args:
+        x, y: user's unit.
+        input_deg: the crank's angle there, degrees, counter-clockwise from any datum: a timed point.
+        theta_deg: or the coupler's angle there, likewise: a pose.
+        derivatives: the first, second, … derivatives of x and y by a parameter that rises along the task, as dicts with
+            ``x``, ``y``; of a pose also ``theta``, of a timed point ``input`` unless the parameter is the crank's turn
+            (radians by the parameter). Each counts as a further position.
+    """
+
+    x: float
+    y: float
+    input_deg: float | None = None
+    theta_deg: float | None = None
+    derivatives: Sequence[Mapping[str, Number]] = ()
+
+    def to_dict(self) -> dict[str, Any]:
+        return _without_empty(_members(self))
+
+
+@dataclass(frozen=True)
+class PathTask:
+    """A point of the coupler guided through places, in this order, by planar four-bars.
+
+    Args:
+        points: :class:`PathPoint`, (x, y), (x, y, input_deg), or dicts as in problem files. Four or five timed ones; three
+            with angles of crank or coupler and two without; four and one; or, with ground pivots given, five or three.
+        ground_pivots: those that are given, ``{"input": [40, 90]}``, ``{"output": …}`` or both.
+    """
+
+    points: Sequence[PathPoint | Sequence[Number] | Mapping[str, Any]]
+    ground_pivots: Mapping[str, Sequence[Number]] | None = None
+
+    def to_dict(self) -> dict[str, Any]:
+        points = [point if isinstance(point, (PathPoint, Mapping)) else _path_point(point) for point in self.points]
+        given = None if self.ground_pivots is None else {"ground_pivots": self.ground_pivots}
+        return _without_empty({"kind": "path", "mechanism": "four_bar", "points": points, "given": given})
+
+
+@dataclass(frozen=True)
 class SphericalMotionTask:
     """A body guided about a fixed centre by spherical four-bars.
 
@@ -210,6 +252,12 @@ def to_json(value: Any) -> str:
 def is_json(problem: Any) -> bool:
     """Text that is a problem, rather than the name of a file that holds one."""
     return isinstance(problem, str) and problem.lstrip().startswith(("{", "[", "//"))
+
+
+def _path_point(numbers: Sequence[Number]) -> PathPoint:
+    if len(numbers) not in (2, 3):
+        raise ValueError(f"a point of a path is (x, y) or (x, y, input_deg), not {len(numbers)} numbers")
+    return PathPoint(numbers[0], numbers[1], numbers[2] if len(numbers) == 3 else None)
 
 
 def _plain(value: Any) -> Any:

@@ -8,6 +8,7 @@
 #include "linkwright/files/result_file.hpp"
 #include "linkwright/files/six_bar_file.hpp"
 #include "linkwright/solve/halo.hpp"
+#include "planar/path_family.hpp"
 
 namespace linkwright::python {
 namespace {
@@ -54,6 +55,17 @@ py::array states_of(const Travel& travel) {
 std::string result_of(const Session& session, const Answer& answer) {
   constexpr bool with_region = false;
   return write_result(session.problem(), answer, with_region);
+}
+
+/// Where the linkages stand that share a place of the map, the best first.
+std::vector<MapPoint> all_at(const Session& session, MapPoint place) {
+  const auto* known = std::get_if<PathAnswer>(&session.known());
+  const PathFamily* paths = known == nullptr ? nullptr : known->given.paths.get();
+  if (paths == nullptr || paths->axis(Side::input).layers == 0) return {place};
+  place.input = paths->axis(Side::input).onto(place.input);
+  std::vector<MapPoint> places;
+  for (const Cell& cell : paths->all_at(place, session.requirements().respect_direction)) places.push_back(cell.place);
+  return places;
 }
 
 /// A session that one thread at a time asks. Arrays are copies: they stay as they are when it is asked again.
@@ -124,6 +136,12 @@ class LockedSession {
     });
     return py::make_tuple(result, reason, states_of(travel));
   }
+  std::vector<std::pair<double, double>> all_at(double input, double output) {
+    std::vector<std::pair<double, double>> places;
+    for (const MapPoint place : ask([&](const Session& of) { return python::all_at(of, {input, output}); }))
+      places.emplace_back(place.input, place.output);
+    return places;
+  }
   /// A result.
   std::string best(int most) {
     return ask([&](const Session& session) {
@@ -167,6 +185,7 @@ void bind_session(py::module_& module) {
       .def("set", &LockedSession::set)
       .def("explore", &LockedSession::explore)
       .def("linkage", &LockedSession::linkage)
+      .def("all_at", &LockedSession::all_at)
       .def("best", &LockedSession::best)
       .def("improve", &LockedSession::improve)
       .def("exported", &LockedSession::exported)

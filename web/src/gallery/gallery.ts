@@ -11,12 +11,14 @@ import flow_meter_as_made from "../../../examples/flow_meter_as_made.json?raw";
 import folding_table from "../../../examples/folding_table.json?raw";
 import folding_wing from "../../../examples/folding_wing.json?raw";
 import footrest from "../../../examples/footrest.json?raw";
+import garage_door_point from "../../../examples/garage_door_point.json?raw";
 import hood_hinge from "../../../examples/hood_hinge.json?raw";
 import landing_gear from "../../../examples/landing_gear.json?raw";
 import latch from "../../../examples/latch.json?raw";
 import lift_platform from "../../../examples/lift_platform.json?raw";
 import log_generator from "../../../examples/log_generator.json?raw";
 import nose_gear from "../../../examples/nose_gear.json?raw";
+import packaging_feeder from "../../../examples/packaging_feeder.json?raw";
 import sine_generator from "../../../examples/sine_generator.json?raw";
 import straight_indicator from "../../../examples/straight_indicator.json?raw";
 import straight_luffing_crane from "../../../examples/straight_luffing_crane.json?raw";
@@ -27,8 +29,10 @@ import straight_walking_leg from "../../../examples/straight_walking_leg.json?ra
 import straight_watt_suspension from "../../../examples/straight_watt_suspension.json?raw";
 import tailgate from "../../../examples/tailgate.json?raw";
 import tailgate_as_made from "../../../examples/tailgate_as_made.json?raw";
+import thread_take_up from "../../../examples/thread_take_up.json?raw";
 import transfer_arm from "../../../examples/transfer_arm.json?raw";
 import universal_joint_like from "../../../examples/universal_joint_like.json?raw";
+import walking_leg_path from "../../../examples/walking_leg_path.json?raw";
 import windscreen_wiper from "../../../examples/windscreen_wiper.json?raw";
 import wrist_orthosis from "../../../examples/wrist_orthosis.json?raw";
 import type {Problem} from "../state/problem";
@@ -59,8 +63,12 @@ const files = {
   nose_gear,
   transfer_arm,
   film_claw,
+  thread_take_up,
   dough_mixer,
   windscreen_wiper,
+  walking_leg_path,
+  packaging_feeder,
+  garage_door_point,
   sine_generator,
   log_generator,
   flow_meter_as_made,
