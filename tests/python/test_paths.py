@@ -197,3 +197,70 @@ def test_paths_are_drawn_and_pickled(name: str) -> None:
     pyplot.close("all")
     copy = pickle.loads(pickle.dumps(answer))
     assert copy.export() == answer.export() and copy.region.types.tobytes() == answer.region.types.tobytes()
+
+
+# ---- a linkage that is known: what passes its points has it
+
+
+def known(random: np.random.Generator, count: int) -> tuple[dict[str, complex], list[tuple[complex, float, float]]]:
+    """Pivots of a four-bar, and so many places of a point of its coupler: point, turn of the crank and of the coupler in
+    degrees."""
+    while True:
+        fixed, reach = complex(*random.uniform(-1, 1, 2)), random.uniform(0.2, 2.5, 2)
+        end = fixed + complex(random.uniform(0.5, 3), random.uniform(-1, 1))
+        pin, joint = (at + r * np.exp(1j * random.uniform(-np.pi, np.pi)) for at, r in zip((fixed, end), reach))
+        point, coupler = complex(*random.uniform(-2, 3, 2)), joint - pin
+        side = np.sign((coupler.conjugate() * (end - pin)).imag)
+        turns = random.choice([-1, 1]) * np.append(0, np.sort(random.uniform(0.1, 2.5, count - 1)))
+        pins = fixed + np.exp(1j * turns) * (pin - fixed)
+        apart = np.abs(end - pins)
+        cosine = (abs(coupler) ** 2 + apart**2 - reach[1] ** 2) / (2 * abs(coupler) * apart)
+        if np.all(np.abs(cosine) < 0.99):
+            turned_by = (end - pins) / apart * np.exp(-1j * side * np.arccos(cosine)) * abs(coupler) / coupler
+            points = pins + turned_by * (point - pin)
+            pivots = {"input_fixed": fixed, "input_moving": pin, "output_fixed": end, "output_moving": joint}
+            return pivots, list(zip(points.tolist(), np.degrees(turns).tolist(), np.degrees(np.angle(turned_by)).tolist()))
+
+
+def is_among(pivots: dict[str, complex], linkages: list) -> bool:
+    """By pivots, or the links of a session's record."""
+    keys = {"fixed": "center_point", "moving": "circle_point"}
+    found = [{f"{side}_{end}": each[side][key] for side in ("input", "output") for end, key in keys.items()} for each in linkages]
+    return any(all(abs(complex(*each[name]) - at) < 1e-5 for name, at in pivots.items()) for each in found)
+
+
+ANY = {"no_defects": False, "max_link_ratio": None, "max_length": None, "min_length": None}
+
+
+def test_between_both_pivots_no_linkage_is_lost() -> None:
+    random = np.random.default_rng(5)
+    for _ in range(40):
+        pivots, places = known(random, 5)
+        given = {side: [pivots[f"{side}_fixed"].real, pivots[f"{side}_fixed"].imag] for side in ("input", "output")}
+        task = lw.PathTask([(point.real, point.imag) for point, _, _ in places], given)
+        answer = lw.solve(lw.Problem(task, requirements=ANY, options={"best": 100}))
+        assert is_among(pivots, answer.linkages) or any("of 36" in warning.lower() for warning in answer.warnings)
+
+
+def coordinate(axis: lw.Record, places: np.ndarray, value: float) -> float:
+    """x = middle + size · tan(π (c − ½)), the whole line on an axis of unit length."""
+    (first, second), tangents = axis["values"][[2, 5]], np.tan(np.pi * (places[[2, 5]] - 0.5))
+    size = (second - first) / (tangents[1] - tangents[0])
+    return 0.5 + np.arctan((value - first) / size + tangents[0]) / np.pi
+
+
+@pytest.mark.parametrize("angle", ["theta_deg", "input_deg"])
+def test_at_its_ground_pivot_a_linkage_is_found(angle: str) -> None:
+    random = np.random.default_rng(7)
+    for _ in range(25):
+        pivots, places = known(random, 5)
+        with_angle = random.choice(5, 3, replace=False)
+        angles = [{angle: turn if angle == "input_deg" else coupler} for _, turn, coupler in places]
+        points = [lw.PathPoint(p.real, p.imag, **(angles[j] if j in with_angle else {})) for j, (p, _, _) in enumerate(places)]
+        problem = lw.Problem(lw.PathTask(points), requirements=ANY)
+        region, session = lw.solve(problem, samples=8).region, lw.Session(problem)
+        rows, columns = region.about["axes"]
+        y = coordinate(rows, region.input, pivots["input_fixed"].imag)
+        x = coordinate(columns, region.output, pivots["input_fixed"].real)
+        there = [session.linkage(*place) for place in session.all_at(y, x)]
+        assert is_among(pivots, [each for each in there if "input" in each])
