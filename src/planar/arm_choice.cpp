@@ -26,13 +26,18 @@ Point centroid_of(const PathTask& task) {
   return sum / static_cast<double>(task.points.size());
 }
 
-// Root of the mean square of the points' distances from their centroid; of one point its distance from the pivot.
+// Root of the mean square of the points' distances from their centroid; of one point its distance from the pivot, and at
+// the pivot its speed.
 double size_of(const PathTask& task) {
   const Point middle = centroid_of(task);
   double squares = 0;
   for (const PathPoint& point : task.points) squares += std::norm(point.point - middle);
   if (squares > 0) return std::sqrt(squares / static_cast<double>(task.points.size()));
-  return std::abs(middle - (task.pivots.input ? *task.pivots.input : task.pivots.output.value_or(middle + 1.0)));
+  for (const auto& pivot : {task.pivots.input, task.pivots.output})
+    if (pivot && *pivot != middle) return std::abs(*pivot - middle);
+  const auto& derivatives = task.points.front().derivatives;
+  const double speed = derivatives.empty() ? 0 : std::abs(derivatives.front().point);
+  return speed > 0 ? speed : 1;
 }
 
 PathPlace path_place(const PathPoint& point, const WorkingFrame& frame) {

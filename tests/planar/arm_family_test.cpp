@@ -400,6 +400,15 @@ TEST(ArmFamily, APlainPointIsATimedOneAtTheTurnThatItIsPassedAt) {
   EXPECT_GT(clean, 5);
 }
 
+// Nothing but its speed says how large the task is.
+TEST(ArmFamily, APointThatStartsAtTheGivenPivotHasASize) {
+  PathTask task;
+  task.points = {{{1, 2}, 0.0, {}, {{{3, 4}, 5.0, {}}, {{0, 1}, -1.0, {}}}}};
+  task.pivots.input = Point{1, 2};
+  EXPECT_TRUE(mistakes_in(task).empty());
+  EXPECT_EQ(arm_task(task).frame.scale, 5);
+}
+
 // Whatever stands at a place, the cell shows the best of it.
 TEST(ArmFamily, ACellShowsTheBestOfItsPlace) {
   Requirements wanted = with_default_lengths({}, arms_of(mixer())->frame().scale);
