@@ -87,6 +87,14 @@ describe("an axis with numbers", () => {
       as_it_is,
     );
     expect(points.map(({text}) => text)).toEqual(["1", "2"]);
+    const linkages = axis_bars(
+      {...directions, quantity: "layer", ticks: null},
+      "output",
+      make_scale(directions.blocks, [0, 1], 404),
+      "mm",
+      as_it_is,
+    );
+    expect(linkages.map(({text}) => text)).toEqual(["1", "2"]);
     expect(
       axis_bars(
         {...directions, quantity: "nothing", ticks: null},

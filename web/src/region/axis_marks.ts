@@ -97,7 +97,7 @@ export function block_text(axis: Axis, index: number, say: Say): string {
   const layer = layers[name];
   if (layer && axis.branches.length > 1) return t(layer);
   if (axis.quantity === "nothing" || unnamed.includes(name) || name === axis.quantity) return "";
-  if (axis.quantity === "burmester_point") return String(branch + 1);
+  if (axis.quantity === "burmester_point" || axis.quantity === "layer") return String(branch + 1);
   if (sheets[name]) return t("axis.sheet", {n: sheets[name]});
   if (name.startsWith("direction_")) return t("axis.direction", {n: branch + 1});
   if (axis.branches.length === 1 && halves.length === 2)
