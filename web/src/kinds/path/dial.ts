@@ -26,9 +26,10 @@ export function on_dial([x, y]: Point, reach: number, direction_deg: number): Po
   const angle = (direction_deg * Math.PI) / 180;
   return [x + reach * Math.cos(angle), y - reach * Math.sin(angle)];
 }
-/** Of the linkage in hand; null where its crank has no two pivots, or no angles of it are given. */
+/** Of the picked linkage, so that it can be reached where one in hand follows the pointer; null where its crank has no two
+ *  pivots, or no angles of it are given. */
 function placed({workbench, space}: Surface): Pick<Dial, "center" | "zero_deg"> | null {
-  const {path, input} = workbench.hand ?? {},
+  const {path, input} = workbench.picked_linkage ?? {},
     points = points_of(workbench.problem),
     first = points.findIndex(({input_deg}) => input_deg !== undefined);
   if (!path || !input?.center || !input.circle || first < 0) return null;
