@@ -15,6 +15,7 @@ import {
   read_state,
   test,
   until_settled,
+  type Pixel,
 } from "./support";
 
 const task_of = (page: Page) => read_state(page, ({problem}) => problem.task as PathTask);
@@ -99,34 +100,68 @@ const layer_of = async (page: Page) => {
   return {k: Number(k), n: Number(n)};
 };
 
+/** A place of the drawing, off all that can be taken hold of there, where a linkage that meets all requirements has its
+ *  ground pivot. Points 1 and 3 tell where the drawing lies. */
+async function pivot_that_meets(page: Page): Promise<{pixel: Pixel; center: readonly [number, number]}> {
+  const pixels = await Promise.all([1, 3].map((n) => middle_of(page.getByTestId(`drawing.point_${n}`)))),
+    taken = await page.locator("[data-testid^='drawing.'].handle").all();
+  const handles = await Promise.all(taken.map(middle_of));
+  const centers = await read_state(page, ({map, task}) => {
+    const {rows, columns, fails, type, defects, input_tau, output_tau} = map as MapAnswer,
+      {input, output} = task!.axes;
+    const value = ({ticks}: typeof input, tau: number) => {
+      const at = (share: number) => ticks!.find(([place]) => Math.abs(place - share) < 1e-9)![1];
+      return at(0.5) + (at(0.75) - at(0.5)) * Math.tan(Math.PI * (tau - 0.5));
+    };
+    const meets = (row: number, column: number) => {
+      const cell = row * columns + column;
+      return fails[cell] === 0 && defects[cell] === 0 && type[cell]! < 9;
+    };
+    const found: [number, number][] = [];
+    for (let row = 1; row < rows - 1; ++row)
+      for (let column = 1; column < columns - 1; ++column)
+        if ([-1, 0, 1].every((i) => [-1, 0, 1].every((k) => meets(row + i, column + k))))
+          found.push([value(output, output_tau[column]!), value(input, input_tau[row]!)]);
+    return found;
+  });
+  const {points} = await task_of(page),
+    scale = (pixels[1]!.x - pixels[0]!.x) / (points[2]!.x - points[0]!.x);
+  for (const center of centers) {
+    const pixel = {
+      x: pixels[0]!.x + scale * (center[0] - points[0]!.x),
+      y: pixels[0]!.y - scale * (center[1] - points[0]!.y),
+    };
+    if (handles.every(({x, y}) => Math.hypot(x - pixel.x, y - pixel.y) > 30)) return {pixel, center};
+  }
+  throw new Error("no linkage that meets all has its pivot off the handles");
+}
+
 test("a feeder: begun, hovered on the drawing, taken there, flicked through and pinned", async ({page}) => {
   await begin(page, "path_poses");
   await expect(page.getByTestId("drawing.plane_map")).toBeVisible();
   await expect(page.getByTestId("path.turn_3")).toBeVisible();
   await expect_accessible(page);
   const best = await center_of(page),
-    picked = await read_state(page, ({picked}) => picked!.tau),
-    at = await middle_of(page.getByTestId("drawing.pivot_input_center")),
-    beside = {x: at.x + 4, y: at.y - 3};
+    {pixel, center} = await pivot_that_meets(page);
 
   // The linkage follows the pointer, its ground pivot under it, and the picked one comes back.
-  await page.mouse.move(at.x, at.y);
-  await page.mouse.move(beside.x, beside.y);
+  await page.mouse.move(pixel.x - 1, pixel.y);
+  await page.mouse.move(pixel.x, pixel.y);
   await expect.poll(() => read_state(page, ({hovered}) => hovered !== null)).toBe(true);
   await until_settled(page);
-  const [x, y] = await center_of(page),
-    px = Math.hypot(x - best[0], y - best[1]) / 5;
-  expect((x - best[0]) / px).toBeCloseTo(4, 0);
-  expect((y - best[1]) / px).toBeCloseTo(3, 0);
+  const followed = await center_of(page),
+    step = await read_state(page, ({grid_step}) => grid_step);
+  expect(Math.hypot(followed[0] - center[0], followed[1] - center[1])).toBeLessThan(step / 10);
   await page.mouse.move(5, 5);
   await expect.poll(() => center_of(page)).toEqual(best);
 
   // A click takes it.
-  await page.mouse.click(beside.x, beside.y);
+  await page.mouse.click(pixel.x, pixel.y);
   await page.mouse.move(5, 5);
   await until_settled(page);
-  expect(await read_state(page, ({picked}) => picked!.tau)).not.toEqual(picked);
-  expect((await center_of(page)).map((value) => value.toFixed(3))).toEqual([x, y].map((value) => value.toFixed(3)));
+  const rounded = (at: readonly number[]) => at.map((value) => value.toFixed(3));
+  expect(rounded(await center_of(page))).toEqual(rounded(followed));
+  await expect(page.getByTestId("path.layer_meets")).toHaveText("meets all requirements");
   await keep_screenshot(page, "path_poses");
 
   // By the key to the next linkage with the same pivot, and back.
@@ -135,7 +170,7 @@ test("a feeder: begun, hovered on the drawing, taken there, flicked through and 
   await page.keyboard.press("l");
   await until_settled(page);
   expect(await layer_of(page)).toEqual({k: (before.k % before.n) + 1, n: before.n});
-  expect((await center_of(page)).map((value) => value.toFixed(3))).toEqual([x, y].map((value) => value.toFixed(3)));
+  expect(rounded(await center_of(page))).toEqual(rounded(followed));
   await page.keyboard.press("Shift+L");
   await until_settled(page);
   expect(await layer_of(page)).toEqual(before);
@@ -154,7 +189,7 @@ test("a feeder: begun, hovered on the drawing, taken there, flicked through and 
   await page.getByTestId("drawing.tools").click();
   await page.getByTestId("drawing.plane_map").last().click();
   await expect(page.locator("canvas[data-testid='drawing.plane_map']")).toHaveCount(0);
-  await page.mouse.move(beside.x, beside.y + 60);
+  await page.mouse.move(pixel.x, pixel.y);
   expect(await read_state(page, ({hovered}) => hovered)).toBeNull();
 });
 

@@ -218,6 +218,7 @@ const further = {
   "a path of four points about a pivot": path(passed(4), pivot),
   "a path of four points about two pivots": path(passed(4), `${pivot}, "output": [9, 5]`),
   "a path of six points about a pivot": path(passed(6), pivot),
+  "a path of six points about two pivots": path(passed(6), `${pivot}, "output": [9, 5]`),
   "a path of two points about two pivots": path(passed(2), `${pivot}, "output": [9, 5]`),
   "a path through a point three times": path(
     [

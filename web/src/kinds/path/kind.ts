@@ -91,7 +91,8 @@ function feeder(): Problem {
     {x: 60, y: 150},
     {x: 260, y: 160},
   ];
-  return new_problem({points}, {min_transmission_angle_deg: 15});
+  const problem = new_problem({points}, {min_transmission_angle_deg: 10});
+  return {...problem, requirements: {...problem.requirements, max_length: 700}};
 }
 /** A foot strikes, pushes off and is lifted, its leg on a frame. */
 function walking_leg(): Problem {
