@@ -247,7 +247,7 @@ describe("at angles at some points", () => {
     await click("path.angle.3");
     expect(text("task.missing")).toContain("1 angle is missing");
     await click("path.angle.4");
-    expect(angles()).toEqual([0, -25, undefined, -75, undefined]);
+    expect(angles()).toEqual([0, -25, undefined, -50, undefined]);
     await until_settled();
     expect(workbench.map).not.toBeNull();
     await click("path.remove.5");
