@@ -66,15 +66,25 @@ LinkageMore more_at(const FunctionAnswer& answer, MapPoint place) {
   add_generated(more, answer, place);
   return more;
 }
+// Of a place with several linkages: of all their layers, be they those of the input's axis or an axis of their own.
+std::vector<Cell> cells_at(const PathFamily& family, MapPoint place, bool respect_direction) {
+  if (family.axis(Side::input).layers > 0)
+    return family.all_at({family.axis(Side::input).onto(place.input), place.output}, respect_direction);
+  std::vector<Cell> cells;
+  if (family.axis(Side::output).quantity != AxisQuantity::layer) return cells;
+  for (const CurveBranch& layer : family.axis(Side::output).branches)
+    if (const auto cell = family.cell({place.input, (layer.from + layer.to) / 2}, respect_direction))
+      cells.push_back(*cell);
+  return cells;
+}
 LinkageMore more_at(const PathAnswer& answer, MapPoint place) {
   LinkageMore more;
   const PathFamily& family = *answer.given.paths;
-  if (family.axis(Side::input).layers == 0) return more;
-  const MapPoint on_map{family.axis(Side::input).onto(place.input), place.output};
   const CellJudge judge(answer.requirements, path_linkages, family.measures());
-  more.layers.emplace();
-  for (const Cell& cell : family.all_at(on_map, answer.requirements.respect_direction))
+  for (const Cell& cell : cells_at(family, place, answer.requirements.respect_direction)) {
+    if (!more.layers) more.layers.emplace();
     more.layers->push_back({cell.place, family.elbows_at(cell.place), cell.type, judge.passes(cell)});
+  }
   return more;
 }
 // The links besides, whose axes have the senses that the curves have.

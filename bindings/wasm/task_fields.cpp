@@ -45,6 +45,10 @@ static void fields(FieldVisitor& v, const ShownAxis& axis) {
                    "center_line, fixed_circle. Of other axes: sheet_1, sheet_2, sheet_1_opposite, …, direction_1, …, "
                    "direct, opposite, range; of straight lines the layers."),
              axis.axis.branches, forms::branches);
+    to.shown_if_any(Field("layers",
+                          "So many linkages may stand at a place, beside the best of them, which is on the branch: τ "
+                          "of [k, k + 1) names linkage k, k ≥ 1."),
+                    axis.axis.layers > 0 ? std::optional(axis.axis.layers) : std::nullopt, wasm::natural);
     to.shown(Field("ticks",
                    "What people read along it, (τ, value), at even steps of each branch; null where they read "
                    "nothing."),

@@ -1,5 +1,5 @@
-// Paths on the page: a mixer's blade about its given pivot, from the dialog to the file. At given angles of the crank:
-// src/kinds/path/path.dom.test.ts.
+// Paths on the page: a mixer's blade about its given pivot, a feeder's gripper through three poses and two points, a leg
+// between both of its pivots, each from the dialog on. At given angles of the crank: src/kinds/path/path.dom.test.ts.
 import type {Page} from "@playwright/test";
 import type {MapAnswer} from "../src/contract/messages";
 import type {PathTask} from "../src/kinds/path/task";
@@ -15,9 +15,18 @@ import {
   read_state,
   test,
   until_settled,
+  type Pixel,
 } from "./support";
 
 const task_of = (page: Page) => read_state(page, ({problem}) => problem.task as PathTask);
+
+async function begin(page: Page, id: string): Promise<void> {
+  await open_settled(page);
+  await page.getByTestId("bar.new").click();
+  await page.getByTestId(`new.${id}`).click();
+  await page.getByTestId("new.create").click();
+  await until_settled(page);
+}
 
 /** The middle of a cell that meets all requirements, among others that do. */
 function place_that_meets(page: Page): Promise<readonly [number, number]> {
@@ -42,11 +51,7 @@ function place_that_meets(page: Page): Promise<readonly [number, number]> {
 }
 
 test("a mixer's blade: begun, pointed at on the map, its pivot dragged, clicked anew, taken away", async ({page}) => {
-  await open_settled(page);
-  await page.getByTestId("bar.new").click();
-  await page.getByTestId("new.path_pivot").click();
-  await page.getByTestId("new.create").click();
-  await until_settled(page);
+  await begin(page, "path_pivot");
   await expect(page.getByTestId("path.full_turn")).toHaveText("yes");
   await expect_accessible(page);
 
@@ -85,4 +90,147 @@ test("a mixer's blade: begun, pointed at on the map, its pivot dragged, clicked 
     step = await read_state(page, ({grid_step}) => grid_step);
   for (const [i, {x, y}] of points.entries())
     expect(Math.hypot(clicked[i]!.x - x, clicked[i]!.y - y)).toBeLessThan(1.5 * step);
+});
+
+/** The ground pivot of the linkage in hand, on the drawing and in the task's frame. */
+const center_of = (page: Page) => read_state(page, ({hand}) => hand!.input.center!);
+const layer_of = async (page: Page) => {
+  const said = (await page.getByTestId("path.layer").textContent())!,
+    [, k, n] = /(\d+) of (\d+)/.exec(said)!;
+  return {k: Number(k), n: Number(n)};
+};
+
+/** A place of the drawing, off all that can be taken hold of there, where a linkage that meets all requirements has its
+ *  ground pivot. Points 1 and 3 tell where the drawing lies. */
+async function pivot_that_meets(page: Page): Promise<{pixel: Pixel; center: readonly [number, number]}> {
+  const pixels = await Promise.all([1, 3].map((n) => middle_of(page.getByTestId(`drawing.point_${n}`)))),
+    taken = await page.locator("[data-testid^='drawing.'].handle").all();
+  const handles = await Promise.all(taken.map(middle_of));
+  const centers = await read_state(page, ({map, task}) => {
+    const {rows, columns, fails, type, defects, input_tau, output_tau} = map as MapAnswer,
+      {input, output} = task!.axes;
+    const value = ({ticks}: typeof input, tau: number) => {
+      const at = (share: number) => ticks!.find(([place]) => Math.abs(place - share) < 1e-9)![1];
+      return at(0.5) + (at(0.75) - at(0.5)) * Math.tan(Math.PI * (tau - 0.5));
+    };
+    const meets = (row: number, column: number) => {
+      const cell = row * columns + column;
+      return fails[cell] === 0 && defects[cell] === 0 && type[cell]! < 9;
+    };
+    const found: [number, number][] = [];
+    for (let row = 1; row < rows - 1; ++row)
+      for (let column = 1; column < columns - 1; ++column)
+        if ([-1, 0, 1].every((i) => [-1, 0, 1].every((k) => meets(row + i, column + k))))
+          found.push([value(output, output_tau[column]!), value(input, input_tau[row]!)]);
+    return found;
+  });
+  const {points} = await task_of(page),
+    scale = (pixels[1]!.x - pixels[0]!.x) / (points[2]!.x - points[0]!.x);
+  for (const center of centers) {
+    const pixel = {
+      x: pixels[0]!.x + scale * (center[0] - points[0]!.x),
+      y: pixels[0]!.y - scale * (center[1] - points[0]!.y),
+    };
+    if (handles.every(({x, y}) => Math.hypot(x - pixel.x, y - pixel.y) > 30)) return {pixel, center};
+  }
+  throw new Error("no linkage that meets all has its pivot off the handles");
+}
+
+test("a feeder: begun, hovered on the drawing, taken there, flicked through and pinned", async ({page}) => {
+  await begin(page, "path_poses");
+  await expect(page.getByTestId("drawing.plane_map")).toBeVisible();
+  await expect(page.getByTestId("path.turn_3")).toBeVisible();
+  await expect_accessible(page);
+  const best = await center_of(page),
+    {pixel, center} = await pivot_that_meets(page);
+
+  // The linkage follows the pointer, its ground pivot under it, and the picked one comes back.
+  await page.mouse.move(pixel.x - 1, pixel.y);
+  await page.mouse.move(pixel.x, pixel.y);
+  await expect.poll(() => read_state(page, ({hovered}) => hovered !== null)).toBe(true);
+  await until_settled(page);
+  const followed = await center_of(page),
+    step = await read_state(page, ({grid_step}) => grid_step);
+  expect(Math.hypot(followed[0] - center[0], followed[1] - center[1])).toBeLessThan(step / 10);
+  await page.mouse.move(5, 5);
+  await expect.poll(() => center_of(page)).toEqual(best);
+
+  // A click takes it.
+  await page.mouse.click(pixel.x, pixel.y);
+  await page.mouse.move(5, 5);
+  await until_settled(page);
+  const rounded = (at: readonly number[]) => at.map((value) => value.toFixed(3));
+  expect(rounded(await center_of(page))).toEqual(rounded(followed));
+  await expect(page.getByTestId("path.layer_meets")).toHaveText("meets all requirements");
+  await keep_screenshot(page, "path_poses");
+
+  // By the key to the next linkage with the same pivot, and back.
+  const before = await layer_of(page);
+  expect(before.n).toBeGreaterThan(1);
+  await page.keyboard.press("l");
+  await until_settled(page);
+  expect(await layer_of(page)).toEqual({k: (before.k % before.n) + 1, n: before.n});
+  expect(rounded(await center_of(page))).toEqual(rounded(followed));
+  await page.keyboard.press("Shift+L");
+  await until_settled(page);
+  expect(await layer_of(page)).toEqual(before);
+  await page.keyboard.press("p");
+  await expect(page.getByTestId("pin.row.A")).toBeVisible();
+
+  // A pose's angle by its handle, as poses have it.
+  const knob = await middle_of(page.getByTestId("drawing.turn_2"));
+  await drag(page, knob, {x: knob.x, y: knob.y + 14});
+  await until_settled(page);
+  const turned = (await task_of(page)).points[1]!.theta_deg!;
+  expect(turned).toBeLessThan(-25);
+  await expect(page.getByTestId("path.theta_deg.2")).toHaveValue(String(turned));
+
+  // Without the map over the drawing nothing follows.
+  await page.getByTestId("drawing.tools").click();
+  await page.getByTestId("drawing.plane_map").last().click();
+  await expect(page.locator("canvas[data-testid='drawing.plane_map']")).toHaveCount(0);
+  await page.mouse.move(pixel.x, pixel.y);
+  expect(await read_state(page, ({hovered}) => hovered)).toBeNull();
+});
+
+test("a walking leg: begun, all its linkages gone through, the crank-rocker taken away", async ({page}) => {
+  await begin(page, "path_pivots");
+  await expect(page.getByTestId("region.ribbon")).toBeVisible();
+  const {columns, defects} = await read_state(page, ({map}) => {
+    const {columns, defects} = map as MapAnswer;
+    return {columns, defects: Array.from(defects)};
+  });
+  expect(columns).toBe(24);
+  await expect(page.getByTestId("region.ribbon_bar")).toHaveCount(defects.filter((bits) => bits === 0).length);
+  await expect(page.getByTestId("num.type")).toHaveText("Crank-rocker");
+  await expect(page.getByTestId("path.full_turn")).toHaveText("yes");
+  await expect_accessible(page);
+  await keep_screenshot(page, "path_pivots");
+
+  const first = await layer_of(page),
+    seen = new Set<string>();
+  expect(first.n).toBe(24);
+  for (let steps = 0; steps < first.n; ++steps) {
+    await page.keyboard.press("l");
+    await until_settled(page);
+    const {input, output} = await read_state(page, ({hand}) => hand!);
+    expect([input.center, output.center].flat().map((value) => Math.round(value!))).toEqual([0, 0, 190, -66]);
+    seen.add(input.circle!.map((value) => value.toFixed(3)).join());
+  }
+  expect(seen.size).toBe(first.n);
+  expect(await layer_of(page)).toEqual(first);
+
+  await page.keyboard.press("b");
+  await until_settled(page);
+  await expect(page.getByTestId("num.type")).toHaveText("Crank-rocker");
+  await expect(page.getByTestId("num.dxf")).toBeEnabled();
+  const [file] = await Promise.all([page.waitForEvent("download"), page.getByTestId("num.dxf").click()]);
+  expect(file.suggestedFilename()).toMatch(/\.dxf$/);
+
+  // A point more than five is said, and taken away again.
+  await page.getByTestId("path.add").click();
+  await expect(page.getByTestId("task.missing")).toContainText("1 too many");
+  await page.getByTestId("path.remove.6").click();
+  await page.getByTestId("path.remove.5").click();
+  await expect(page.getByTestId("task.missing")).toContainText("three points or with five");
 });

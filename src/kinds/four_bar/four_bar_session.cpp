@@ -65,15 +65,41 @@ Notice nothing_on_map(const FourBarAnswer& /*known*/, const RegionMap& /*map*/) 
           {}};
 }
 
+namespace {
+
+// Of a few linkages that are found whole, one of the output's axis each: their links by the coordinate there.
+std::vector<Dyad> links_of_few(const FourBarFamily& family, Side side) {
+  std::vector<Dyad> links;
+  const MapAxis& output = family.axis(Side::output);
+  if (family.axis(Side::input).quantity != AxisQuantity::nothing || !output.is_discrete()) return links;
+  for (const CurveBranch& one : output.branches) {
+    const double coordinate = (one.from + one.to) / 2;
+    const auto pair = family.dyad_pair({0.5, coordinate});
+    if (!pair) continue;
+    links.push_back(side == Side::input ? pair->input : pair->output);
+    links.back().coordinate = coordinate;
+  }
+  return links;
+}
+
+}  // namespace
+
 LinkPolygon links_along(const FourBarAnswer& known, Side side) {
   LinkPolygon polygon;
   const FourBarFamily* family = known.family();
-  // Where nothing is left to choose of the output, it moves with the input.
-  const bool along_input = family != nullptr && family->axis(side).quantity == AxisQuantity::nothing;
-  const auto branches = family              ? family->axis(along_input ? Side::input : side).branches
+  std::vector<Dyad> links = polygon_of(known.given, side);
+  // Where nothing is left to choose of the output, it moves with the input; a few found whole, with the output.
+  bool along_input = side == Side::input;
+  if (family != nullptr && links.empty()) {
+    links = links_of_few(*family, side);
+    along_input = false;
+  } else if (family != nullptr && family->axis(side).quantity == AxisQuantity::nothing) {
+    along_input = true;
+  }
+  const auto branches = family              ? family->axis(along_input ? Side::input : Side::output).branches
                         : known.given.curve ? known.given.curve->branches()
                                             : std::vector<CurveBranch>{};
-  append_links(polygon, polygon_of(known.given, side), branches, known.given.frame());
+  append_links(polygon, links, branches, known.given.frame());
   return polygon;
 }
 

@@ -69,6 +69,8 @@ export interface Axis {
   order: number;
   /** By rising τ. Of a curve: odd, oval, nodal, line, circle, conic, line_at_infinity, point, center_line, fixed_circle. Of other axes: sheet_1, sheet_2, sheet_1_opposite, …, direction_1, …, direct, opposite, range; of straight lines the layers. */
   branches: readonly Branch[];
+  /** So many linkages may stand at a place, beside the best of them, which is on the branch: τ of [k, k + 1) names linkage k, k ≥ 1. */
+  layers?: number;
   /** What people read along it, (τ, value), at even steps of each branch; null where they read nothing. */
   ticks: readonly (readonly [number, number])[] | null;
   blocks: readonly AxisBlock[];
@@ -233,7 +235,7 @@ export interface LinkageReply {
   profile?: readonly (readonly [number | null, number | null, number | null, number | null])[];
   /** Of a linkage that is the task. */
   rates?: Rates;
-  /** Of paths through points alone: all linkages at this place of the map, best first. */
+  /** Of paths: all linkages at this place of the map, where there may be several, in layers. */
   layers?: readonly LayerReply[];
   /** Null: a slider or zero link. */
   travel: Travel | null;

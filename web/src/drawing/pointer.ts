@@ -21,6 +21,7 @@ import {curvature_drag, move_drag, turn_drag, velocity_drag} from "./drags/pose_
 import {picture_drag, turning_part} from "./drags/picture_drags";
 import {pan_drag} from "./drags/view_drags";
 import {box_names, target_id, type Target} from "./handles";
+import {comes_along, pick_under, tau_under} from "./plane_map";
 import {keys_of, type Keys} from "./snapping";
 import {panned, zoomed} from "./viewport";
 
@@ -133,6 +134,7 @@ class Pointer {
       press.moved = true;
       this.take(press);
       this.bench.workbench.curve_hover = null;
+      this.follow(null);
       this.svg.style.cursor = press.drag?.cursor ?? "";
     }
     if (press.in_gesture && !this.bench.workbench.gesture) return this.drop_press(); // undone meanwhile
@@ -189,7 +191,7 @@ class Pointer {
   private targets(at: Point, touch: boolean): Target[] {
     const {workbench, scene} = this.bench,
       all = scene.targets_at(at, touch).map(({target}) => target);
-    if (workbench.mode === "point") return all;
+    if (workbench.mode === "point") return all.filter((target) => !comes_along(this.bench, target));
     if (workbench.mode === "outline" && scene.draft === null)
       return all.filter((t) => t.kind === "corner" || t.kind === "midpoint");
     if (workbench.mode === "scale") return all.filter((t) => t.kind === "task" && t.part === turning_part);
@@ -271,7 +273,7 @@ class Pointer {
   private click_canvas(at: Point): void {
     const {workbench, scene} = this.bench;
     if (poses_are_wanted(workbench)) return add_position(this.bench, at);
-    if (add_clicked(this.bench, at)) return;
+    if (add_clicked(this.bench, at) || pick_under(this.bench, at)) return;
     workbench.selected_pose = null;
     if (document.activeElement instanceof SVGElement && this.svg.contains(document.activeElement))
       document.activeElement.blur();
@@ -288,6 +290,7 @@ class Pointer {
     const first = drawing ? null : this.first(at, touch);
     scene.hovered = first?.target ?? null;
     this.show_spot(first?.target ?? null);
+    this.follow(first || this.press || workbench.mode !== "point" ? null : at);
     if (!this.press)
       this.svg.style.cursor = first?.cursor ?? (drawing || scene.draft || workbench.incomplete ? "crosshair" : "");
   }
@@ -304,8 +307,17 @@ class Pointer {
     scene.spot = spot;
     workbench.curve_hover = spot && {sides: spot.sides, tau: spot.tau};
   }
+  /** On a map over the plane the linkage whose pivot lies there comes in hand; null: the picked one comes back. */
+  private follow(at: Point | null): void {
+    const tau = at && tau_under(this.bench, at);
+    if (tau) this.bench.workbench.hover(tau);
+    else if (this.follows) this.bench.workbench.hover(null);
+    this.follows = tau !== null;
+  }
+  private follows = false;
   leave(): void {
     if (this.press) return;
+    this.follow(null);
     this.bench.scene.hovered = this.bench.scene.pointer = null;
     this.show_spot(null);
   }

@@ -16,6 +16,8 @@ export interface Desk {
   readonly problem: Problem;
   readonly unit: string;
   readonly hand: Linkage | null;
+  /** What is in hand where nothing is only pointed at. */
+  readonly picked_linkage: Linkage | null;
   /** The engine's answer to the task. */
   readonly task: TaskAnswer | null;
   readonly refusal: readonly Mistake[] | null;

@@ -1,5 +1,5 @@
 import {describe, expect, it} from "vitest";
-import {whole, type Axis} from "../contract/messages";
+import {whole, type Axis, type AxisQuantity} from "../contract/messages";
 import {straight_axis} from "../../tests/axes";
 import {
   block_at,
@@ -8,11 +8,14 @@ import {
   held_window,
   in_layer_of,
   on_branches,
+  on_line,
   place_of,
   places_of,
+  plane_axes,
   settled,
   stepped_place,
   tau_at,
+  tau_of_point,
   tau_of_places,
 } from "./axis";
 
@@ -142,8 +145,8 @@ describe("an axis of a few dyads", () => {
 });
 
 describe("several linkages at a place", () => {
-  const reach: Axis = {...straight_axis, quantity: "arm_reach"},
-    axes = {input: reach, output: {...reach, quantity: "arm_difference"}} as const;
+  const reach: Axis = {...straight_axis, quantity: "arm_reach", layers: 96},
+    axes = {input: reach, output: {...straight_axis, quantity: "arm_difference"}} as const;
   it("stand at one place of the map, by the fraction of the first coordinate", () => {
     expect(place_of(reach, 17.42)).toBeCloseTo(0.42, 9);
     expect(places_of(axes, [3.25, 0.5])).toEqual([0.25, 0.5]);
@@ -157,5 +160,40 @@ describe("several linkages at a place", () => {
     expect(settled(axes, {...picked, place: null})!.place![0]).toBeCloseTo(0.42, 9);
     expect(in_layer_of(reach, 17.42, 0.6)).toBeCloseTo(17.6, 9);
     expect(in_layer_of(axis, 1.4, 0.6)).toBe(0.6);
+  });
+});
+
+describe("a map over the plane", () => {
+  /** Middle 40, and 100 on at a quarter of a turn. */
+  const along = (quantity: AxisQuantity, middle: number): Axis => ({
+    ...straight_axis,
+    quantity,
+    ticks: [0.25, 0.5, 0.75].map((tau) => [tau, middle + 100 * Math.tan(Math.PI * (tau - 0.5))]),
+  });
+  const y = {...along("center_y", -10), layers: 12},
+    axes = {input: y, output: along("center_x", 40)};
+  it("has a pair for each of its points, and the pair its point", () => {
+    const plane = plane_axes(axes)!;
+    expect(plane).toEqual({x: "output", y: "input", end: "center"});
+    for (const point of [
+      [40, -10],
+      [-900, 12],
+      [1e6, -1e5],
+    ] as const) {
+      const tau = tau_of_point(axes, plane, point);
+      expect(tau.every((one) => one > 0 && one < 1)).toBe(true);
+      expect(on_line(axes.output, tau[1]) / point[0]).toBeCloseTo(1, 9);
+      expect(on_line(y, tau[0] + 7) / point[1]).toBeCloseTo(1, 9);
+    }
+    const [up, across] = tau_of_point(axes, plane, [140, -110]);
+    expect([up.toFixed(12), across.toFixed(12)]).toEqual(["0.250000000000", "0.750000000000"]);
+  });
+  it("is none where an axis is of something else", () => {
+    expect(plane_axes({...axes, output: along("circle_x", 0)})).toBeNull();
+    expect(plane_axes({input: along("circle_x", 0), output: along("circle_y", 0)})).toEqual({
+      x: "input",
+      y: "output",
+      end: "circle",
+    });
   });
 });

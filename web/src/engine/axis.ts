@@ -7,6 +7,7 @@ import {
   type AxisBlock,
   type Branch,
   type Picked,
+  type Point,
   type Side,
   type TaskAnswer,
   type TauPair,
@@ -49,7 +50,7 @@ export function has_burmester_curve({curves}: TaskAnswer): boolean {
 
 /** Every place of a block is the same: one row or column of the map to each. */
 export function is_discrete({quantity}: Axis): boolean {
-  return quantity === "burmester_point" || quantity === "nothing";
+  return quantity === "burmester_point" || quantity === "nothing" || quantity === "layer";
 }
 /** The side along whose axis a grounded link moves: where its own leaves nothing to choose, the other's. */
 export function moving_side(axes: Axes, side: Side): Side {
@@ -63,8 +64,12 @@ export function with_side({axes}: Pick<TaskAnswer, "axes">, tau: TauPair, side: 
 export function coordinate_of({axes}: Pick<TaskAnswer, "axes">, tau: TauPair, side: Side): number {
   return tau[moving_side(axes, side) === "input" ? 0 : 1];
 }
-/** Many places along the input's axis, one along the output's. */
-export function is_ribbon({input, output}: Axes): boolean {
+/** Many places along the input's axis and one along the output's, or a list of linkages along the output's alone. */
+export function is_ribbon(axes: Axes): boolean {
+  return is_column(axes) || (axes.input.quantity === "nothing" && axes.output.quantity === "layer");
+}
+/** A ribbon that stands upright, as the map has it. */
+export function is_column({input, output}: Axes): boolean {
   return output.quantity === "nothing" && !is_discrete(input);
 }
 function middle_tau({from, to}: Branch): number {
@@ -114,8 +119,8 @@ export function tau_of_places(axes: Axes, place: TauPair): TauPair | null {
 }
 
 /** Where several linkages stand at a place, which of them τ names: 0 the best there, k the one with τ in [k, k + 1). */
-function layer_of({quantity}: Axis, tau: number): number {
-  return quantity === "arm_reach" ? Math.max(Math.floor(tau), 0) : 0;
+function layer_of({layers}: Axis, tau: number): number {
+  return layers ? Math.max(Math.floor(tau), 0) : 0;
 }
 /** τ on the branches of the axis, whichever of the linkages there it names. */
 export function on_branches(axis: Axis, tau: number): number {
@@ -124,6 +129,41 @@ export function on_branches(axis: Axis, tau: number): number {
 /** τ that has come from `before`, in its layer. */
 export function in_layer_of(axis: Axis, before: number, tau: number): number {
   return tau + layer_of(axis, before);
+}
+
+/** Along a whole line, as the engine lays it out: middle + spread · tan π(τ − ½). */
+export function on_line(axis: Axis, tau: number): number {
+  const {middle, spread} = line_of(axis);
+  return middle + spread * Math.tan(Math.PI * (on_branches(axis, tau) - 0.5));
+}
+/** τ of a place of the line. */
+export function tau_on_line(axis: Axis, value: number): number {
+  const {middle, spread} = line_of(axis);
+  return 0.5 + Math.atan((value - middle) / spread) / Math.PI;
+}
+function line_of({ticks}: Axis): {middle: number; spread: number} {
+  const at = (share: number) => (ticks ?? []).find(([tau]) => Math.abs(tau - share) < 1e-9)?.[1] ?? 0,
+    middle = at(0.5);
+  return {middle, spread: at(0.75) - middle};
+}
+/** Of a map over the plane: which side's axis runs along x and which along y, of which pivots. */
+export interface PlaneAxes {
+  x: Side;
+  y: Side;
+  end: "center" | "circle";
+}
+/** Nothing where the map is of something else. */
+export function plane_axes({input, output}: Axes): PlaneAxes | null {
+  for (const end of ["center", "circle"] as const) {
+    if (input.quantity === `${end}_x` && output.quantity === `${end}_y`) return {x: "input", y: "output", end};
+    if (input.quantity === `${end}_y` && output.quantity === `${end}_x`) return {x: "output", y: "input", end};
+  }
+  return null;
+}
+/** The pair whose pivot lies at a point of the plane. */
+export function tau_of_point(axes: Axes, plane: PlaneAxes, [x, y]: Point): TauPair {
+  const tau = {[plane.x]: tau_on_line(axes[plane.x], x), [plane.y]: tau_on_line(axes[plane.y], y)};
+  return [tau.input!, tau.output!];
 }
 
 /** Place of τ on the axis; nothing where no block shows it. */

@@ -1,5 +1,14 @@
 // What a kind of task brings: the frame asks it through kind_dispatch.ts, its views through view_dispatch.ts, and knows none by name.
-import type {Linkage, LinkageType, Pivot, Point, Property, RequirementKey, Requirements} from "../contract/messages";
+import type {
+  Linkage,
+  LinkageType,
+  Pivot,
+  Point,
+  Property,
+  RequirementKey,
+  Requirements,
+  TauPair,
+} from "../contract/messages";
 import type {End} from "../figure/figure";
 import type {Orientation} from "../orientation/orientation";
 import type {Objective, Pin, Problem} from "../state/problem";
@@ -103,6 +112,11 @@ export interface ObjectiveDescription<T extends Task = Task> {
   is_of?(task: T): boolean;
   needs?: string;
 }
+/** Linkages at a place of the map. */
+export interface AtPlace {
+  all: readonly TauPair[];
+  at: number;
+}
 /** All but the views. */
 export interface TaskKind<T extends Task = Task> {
   name: TextKey;
@@ -171,6 +185,8 @@ export interface TaskKind<T extends Task = Task> {
   // Of a linkage, where it is one of this kind and not told like any four-bar; otherwise null.
   called?(linkage: Linkage): TextKey | null;
   term?(linkage: Linkage): TermName | null;
+  /** All that stand at its place of the map, and which of them it is; null: it is the only one there may be. */
+  at_place?(linkage: Linkage): AtPlace | null;
   lengths?(linkage: Linkage): NamedLength[] | null;
   joints?(linkage: Linkage): NamedJoint[] | null;
 }

@@ -24,6 +24,7 @@ import type {Analysis} from "../analyses/analysis";
 import {notice_text, type TextKey} from "../texts/texts.svelte";
 import type {TermName} from "../terms/pictures";
 import type {
+  AtPlace,
   Incomplete,
   NamedJoint,
   NamedLength,
@@ -301,6 +302,9 @@ export function made_up(linkage: Pick<Linkage, "type">): TextKey | null {
 /** The term that explains it, where its type does not. */
 export function term_of_kind(linkage: Pick<Linkage, "type">): TermName | null {
   return first_told((kind) => kind.term?.(linkage as Linkage));
+}
+export function linkages_at_place(linkage: Linkage): AtPlace | null {
+  return first_told((kind) => kind.at_place?.(linkage));
 }
 /** Null: of a four-bar, whose links and pivots all know. */
 export function lengths_of(linkage: Linkage): NamedLength[] | null {

@@ -31,6 +31,13 @@ describe("a place on the map", () => {
     ).toBe("point 2");
     expect(
       place_text(
+        axis("layer", (x) => x),
+        "output",
+        1.5,
+      ),
+    ).toBe("linkage 2");
+    expect(
+      place_text(
         axis("nothing", (x) => x),
         "output",
         0.5,

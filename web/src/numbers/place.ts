@@ -1,6 +1,6 @@
 // Where a grounded link stands on its axis of the map, as people read it.
 import type {Axes, Axis, AxisQuantity, Side, TauPair} from "../contract/messages";
-import {on_branches} from "../engine/axis";
+import {on_branches, on_line} from "../engine/axis";
 import {is_angle} from "../region/axis_marks";
 import {degrees_text, fixed, significant} from "../texts/numbers";
 import {t} from "../texts/texts.svelte";
@@ -21,6 +21,8 @@ export function place_text(axis: Axis, side: Side, tau: number, digits = 4): str
       return `τ${lower[side]} ${fixed(tau, digits)}`;
     case "burmester_point":
       return t("axis.point", {n: Math.floor(tau) + 1});
+    case "layer":
+      return t("axis.linkage", {n: Math.floor(tau) + 1});
     case "side_direction":
       return `β${lower[side]} ${degrees_text(value_at(axis, tau, (a, b, share) => a + share * (b - a)))}`;
     case "pair_output":
@@ -40,7 +42,7 @@ export function place_text(axis: Axis, side: Side, tau: number, digits = 4): str
     case "circle_y":
     case "center_on_line":
     case "circle_on_line":
-      return number_place_text(axis, side, pivot_place(axis, tau));
+      return number_place_text(axis, side, on_line(axis, tau));
     default:
       return number_place_text(
         axis,
@@ -76,12 +78,6 @@ function number_place_text(axis: Axis, side: Side, value: number): string {
   const symbol = symbols[axis.quantity] ?? "",
     of = axis.quantity.startsWith("link_") || axis.quantity.endsWith("_on_line") ? lower[side] : "";
   return `${symbol}${of} ${is_angle(axis.quantity) ? degrees_text(value) : significant(value, 4)}`;
-}
-/** Along a whole line, as the engine lays it out: middle + spread · tan π(τ − ½). */
-function pivot_place({ticks}: Axis, tau: number): number {
-  const at = (share: number) => (ticks ?? []).find(([place]) => Math.abs(place - share) < 1e-9)?.[1] ?? 0,
-    middle = at(0.5);
-  return middle + (at(0.75) - middle) * Math.tan(Math.PI * (tau - 0.5));
 }
 /** Between the engine's ticks, and beyond the last of a branch. */
 function value_at(

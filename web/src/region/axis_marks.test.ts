@@ -87,6 +87,29 @@ describe("an axis with numbers", () => {
       as_it_is,
     );
     expect(points.map(({text}) => text)).toEqual(["1", "2"]);
+    const linkages = axis_bars(
+      {...directions, quantity: "layer", ticks: null},
+      "output",
+      make_scale(directions.blocks, [0, 1], 404),
+      "mm",
+      as_it_is,
+    );
+    expect(linkages.map(({text}) => text)).toEqual(["1", "2"]);
+    const parts = [0, 1, 2, 3, 4, 5, 6, 7, 8, 9, 10].map((i) => ({
+        ...directions.blocks[0]!,
+        branch: i,
+        from: i / 11,
+        to: (i + 1) / 11,
+      })),
+      many: Axis = {
+        ...directions,
+        quantity: "layer",
+        ticks: null,
+        branches: parts.map((_, i) => ({name: "linkage", from: i, to: i + 1})),
+        blocks: parts,
+      };
+    const narrow = axis_bars(many, "output", make_scale(parts, [0, 1], 140), "mm", as_it_is);
+    expect(narrow.map(({text}) => text).filter((text) => text)).toEqual(["2", "4", "6", "8", "10"]);
     expect(
       axis_bars(
         {...directions, quantity: "nothing", ticks: null},

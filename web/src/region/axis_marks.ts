@@ -74,6 +74,8 @@ export interface AxisBar {
   start: number;
   end: number;
   text: string;
+  /** What the text may take. */
+  room: number;
   term: TermName | null;
 }
 export interface AxisMark {
@@ -97,7 +99,7 @@ export function block_text(axis: Axis, index: number, say: Say): string {
   const layer = layers[name];
   if (layer && axis.branches.length > 1) return t(layer);
   if (axis.quantity === "nothing" || unnamed.includes(name) || name === axis.quantity) return "";
-  if (axis.quantity === "burmester_point") return String(branch + 1);
+  if (axis.quantity === "burmester_point" || axis.quantity === "layer") return String(branch + 1);
   if (sheets[name]) return t("axis.sheet", {n: sheets[name]});
   if (name.startsWith("direction_")) return t("axis.direction", {n: branch + 1});
   if (axis.branches.length === 1 && halves.length === 2)
@@ -117,18 +119,28 @@ function branch_of(axis: Axis, block: number): Branch | undefined {
 export function axis_bars(axis: Axis, side: Side, scale: Scale, unit: string, say: Say): AxisBar[] {
   const key = quantity_texts[axis.quantity],
     of = side === "input" ? "₁" : "₂";
-  const quantity = key ? [t(key, {of, unit}).trim()] : [];
+  const quantity = key ? [t(key, {of, unit}).trim()] : [],
+    step = axis.quantity === "layer" ? numbered_every(axis, scale) : 1;
   return scale.pieces.map(({start, end, block}) => {
-    const name = block_text(axis, block, say),
+    const name = (block + 1) % step === 0 ? block_text(axis, block, say) : "",
       branch = branch_of(axis, block);
     return {
       start,
       end,
       text: [...quantity, ...(name ? [name] : [])].join(" · "),
+      room: (end - start) * step,
       term: branch ? term_of(branch, say) : null,
     };
   });
 }
+
+/** Of a few linkages, numbered: each so many-th, as there is room. */
+function numbered_every({branches}: Axis, {pieces}: Scale): number {
+  const width = pieces[0] ? pieces[0].end - pieces[0].start : 0,
+    digits = String(branches.length).length;
+  return [1, 2, 5, 10, 20].find((step) => step * width > digits * digit_px) ?? 50;
+}
+const digit_px = 7;
 
 const number_px = 34,
   every = [1, 2, 3, 4, 6, 12];

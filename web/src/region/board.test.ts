@@ -25,6 +25,7 @@ describe("a board", () => {
     expect(is_board({input: points(2), output: points(2)})).toBe(true);
     expect(is_board({input: points(3), output: nothing})).toBe(true);
     expect(is_board({input: curve, output: nothing})).toBe(false);
+    expect(is_board({input: nothing, output: {...points(24), quantity: "layer"}})).toBe(false);
   });
   it("has the grounded links of its row and column in each cell, and none on the diagonal", () => {
     const task = {axes: {input: points(2), output: points(2)}, curves, output_curves: null} as unknown as TaskAnswer;

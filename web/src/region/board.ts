@@ -10,7 +10,7 @@ import {
   type TaskAnswer,
   type TauPair,
 } from "../contract/messages";
-import {is_discrete} from "../engine/axis";
+import {is_discrete, is_ribbon} from "../engine/axis";
 
 export interface BoardCell {
   row: number;
@@ -23,8 +23,8 @@ export interface BoardCell {
   value: number;
 }
 
-export function is_board({input, output}: Axes): boolean {
-  return is_discrete(input) && is_discrete(output);
+export function is_board(axes: Axes): boolean {
+  return is_discrete(axes.input) && is_discrete(axes.output) && !is_ribbon(axes);
 }
 
 /** The cells that hold a four-bar. */

@@ -1,6 +1,6 @@
 import {describe, expect, it} from "vitest";
 import type {MapAnswer} from "../contract/messages";
-import {axis_top, even_ticks, ribbon_lines} from "./ribbon";
+import {axis_top, even_ticks, ribbon_bars, ribbon_lines} from "./ribbon";
 import {make_scale} from "./scale";
 import {on_its_side} from "./painter";
 
@@ -34,6 +34,14 @@ describe("ribbon", () => {
       [false, [6, 7]],
     ]);
     expect(lines[0]!.points[0]!.at).toBeCloseTo(50);
+  });
+  it("has a bar for each of a few linkages with a value", () => {
+    const thirds = [0, 1, 2].map((i) => ({from: i / 3, to: (i + 1) / 3})),
+      few = {...map, rows: 1, columns: 3, value: map.value.subarray(1, 4), fails: map.fails.subarray(3, 6)};
+    expect(ribbon_bars(few, make_scale(thirds, [0, 1], 304))).toMatchObject([
+      {value: 2, meets: true},
+      {value: 3, meets: false},
+    ]);
   });
   it("shows what is usual of a property without bound", () => {
     expect(axis_top("min_transmission_angle_deg", [10], 30)).toBe(90);

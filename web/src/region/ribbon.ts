@@ -44,6 +44,23 @@ export function ribbon_lines(map: MapAnswer, scale: Scale): RibbonLine[] {
   return lines.filter(({points}) => points.length > 1);
 }
 
+export interface RibbonBar {
+  from: number;
+  to: number;
+  value: number;
+  meets: boolean;
+}
+/** Of a map of one row with a few columns: of those with a value. */
+export function ribbon_bars({columns, value, fails, type}: MapAnswer, scale: Scale): RibbonBar[] {
+  return scale.pieces
+    .slice(0, columns)
+    .flatMap(({start, end}, column) =>
+      value[column] === 0 || type[column]! === degenerate
+        ? []
+        : [{from: start, to: end, value: value[column]!, meets: fails[column] === 0}],
+    );
+}
+
 /** The greatest value shown. Some grow without bound: the rest is to be seen. */
 export function axis_top(property: Property, values: readonly number[], limit: number | null): number {
   if (property.startsWith("min_transmission_angle")) return 90;

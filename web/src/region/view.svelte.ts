@@ -2,7 +2,7 @@
 // the region, picked and hovered is the workbench's.
 import {degenerate} from "../contract/messages";
 import type {Axis, Point, Side, TauPair} from "../contract/messages";
-import {held_place, is_ribbon, place_of, places_of, stepped_place, tau_of_places} from "../engine/axis";
+import {held_place, is_column, is_ribbon, place_of, places_of, stepped_place, tau_of_places} from "../engine/axis";
 import type {Pin} from "../state/problem";
 import type {Workbench} from "../state/workbench.svelte";
 import {point_of, type Frame} from "./painter";
@@ -27,12 +27,14 @@ export class RegionView {
   whole_picture = $state.raw<{canvas: HTMLCanvasElement} | null>(null);
 
   private readonly axes = $derived.by(() => this.workbench.task?.axes);
-  /** A map of one column lies on its side, and low: a ribbon. */
+  /** A map of one column, or of one row, is low: a ribbon. */
   readonly ribbon = $derived.by(() => this.axes !== undefined && is_ribbon(this.axes));
+  /** A column lies on its side. */
+  readonly on_its_side = $derived.by(() => this.axes !== undefined && is_column(this.axes));
   /** Of the cells, in pixels; the map is as wide as its size. */
   readonly height = $derived(this.ribbon ? ribbon_px : this.size);
   readonly sides: {up: Side; across: Side} = $derived(
-    this.ribbon ? {up: "output", across: "input"} : {up: "input", across: "output"},
+    this.on_its_side ? {up: "output", across: "input"} : {up: "input", across: "output"},
   );
   readonly frame: Frame = $derived.by(() => {
     const {axes} = this,
@@ -66,7 +68,7 @@ export class RegionView {
   }
   /** What runs up and across as input and output, and back. */
   private turned<T>(pair: readonly [T, T]): readonly [T, T] {
-    return this.ribbon ? [pair[1], pair[0]] : pair;
+    return this.on_its_side ? [pair[1], pair[0]] : pair;
   }
   contains([x, y]: Point): boolean {
     return x >= 0 && y >= 0 && x <= this.size && y <= this.height;

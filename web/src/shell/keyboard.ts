@@ -97,6 +97,8 @@ export const key_groups: readonly KeyGroup[] = [
       {keys: ["X"], text: "region.swap"},
       {keys: ["B"], text: "region.best"},
       {keys: ["N", "Shift+N"], text: "keys.next_best"},
+      {keys: ["L"], text: "keys.next_layer", run: (workbench) => workbench.pick_beside(1)},
+      {keys: ["Shift+L"], text: "keys.last_layer", run: (workbench) => workbench.pick_beside(-1)},
       {keys: ["I"], text: "region.improve"},
       {keys: ["C"], text: "keys.colours"},
       {keys: ["H"], text: "keys.only_meeting"},

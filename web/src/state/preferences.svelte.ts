@@ -14,6 +14,7 @@ export class Preferences {
   grid = $state(true);
   construction = $state(false); // poles, focus, asymptotes
   instant = $state(false); // pole, inflection circle, stationary curvature of the linkage as it stands
+  plane_map = $state(true); // the map over the drawing, where its places are places of a pivot
   samples = $state(true); // linkages as they are made, where tolerances are given
   contours = $state(true);
   defect_kinds = $state(false);
@@ -85,6 +86,7 @@ const checks = {
   grid: flag,
   construction: flag,
   instant: flag,
+  plane_map: flag,
   samples: flag,
   contours: flag,
   defect_kinds: flag,

@@ -25,6 +25,7 @@ import {
   has_linkages,
   incompleteness,
   kind_of,
+  linkages_at_place,
   map_of,
   measure_of,
   properties_of,
@@ -352,6 +353,13 @@ export class Workbench extends Editing {
   }
   improve(): Promise<void> {
     return this.seeker.improve();
+  }
+  /** Of several linkages at a place of the map the one so many on from that in hand. */
+  pick_beside(step: number): void {
+    const {all, at} = (this.hand && linkages_at_place(this.hand)) ?? {all: [], at: 0};
+    if (all.length < 2) return;
+    if (this.hovered) this.hover(null);
+    this.pick(all[(at + step + all.length) % all.length]!, "beside");
   }
   /** The same bars driven from the other side. */
   swap_driver(): void {

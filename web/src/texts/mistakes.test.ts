@@ -107,6 +107,12 @@ const path = (points: string, pivots: string | null = null) =>
     ${pivots === null ? "" : `, "given": {"ground_pivots": {${pivots}}}`}}}`;
 const passed = (count: number, last = "") =>
   [...Array.from({length: count}, (_, i) => `{"x": ${i}, "y": ${i * i}}`), ...(last ? [last] : [])].join(", ");
+/** First some with an angle, then some without. */
+const angled = (of: "input" | "theta", count: number, plain: number) =>
+  Array.from(
+    {length: count + plain},
+    (_, i) => `{"x": ${i}, "y": ${i * i}${i < count ? `, "${of}_deg": ${9 * i}` : ""}}`,
+  ).join(", ");
 const pivot = '"input": [1, 5]';
 const further = {
   "a list without a comma": "[1 2]",
@@ -212,6 +218,7 @@ const further = {
   "a path of four points about a pivot": path(passed(4), pivot),
   "a path of four points about two pivots": path(passed(4), `${pivot}, "output": [9, 5]`),
   "a path of six points about a pivot": path(passed(6), pivot),
+  "a path of six points about two pivots": path(passed(6), `${pivot}, "output": [9, 5]`),
   "a path of two points about two pivots": path(passed(2), `${pivot}, "output": [9, 5]`),
   "a path through a point three times": path(
     [
@@ -225,12 +232,29 @@ const further = {
       .join(", "),
     pivot,
   ),
+  "a path about a pivot that is not there": path(passed(5), ""),
   "a path through a pivot": path(passed(5), '"input": [2, 4]'),
   "a path about two pivots in one": path(passed(3), `${pivot}, "output": [1, 5]`),
-  "a path with pivots and angles": path(
-    [0, 1, 2, 3, 4].map((i) => `{"x": ${i}, "y": ${i * i}, "input_deg": ${9 * i}}`).join(", "),
-    pivot,
+  "a path with pivots and angles": path(angled("input", 3, 2), pivot),
+  "a path of five timed points about a pivot": path(angled("input", 5, 0), pivot),
+  "a path of three angles and a point": path(angled("theta", 3, 1)),
+  "a path of poses alone": path(angled("theta", 4, 0)),
+  "a path with both angles at a point": path(
+    `${angled("theta", 3, 2)}, {"x": 9, "y": 1, "input_deg": 1, "theta_deg": 2}`,
   ),
+  "a path with angles of both links": path(`${angled("theta", 3, 2)}, {"x": 9, "y": 1, "input_deg": 1}`),
+  "a path with a pose twice": path(`{"x": 0, "y": 0, "theta_deg": 360}, ${angled("theta", 2, 2)}`),
+  "a path with a pose's direction without its rate": path(
+    `{"x": 9, "y": 9, "theta_deg": 5, "derivatives": [{"x": 1, "y": 0}]}, ${angled("theta", 1, 2)}`,
+  ),
+  "a path with the coupler's rate and no angle": path(
+    `{"x": 9, "y": 9, "derivatives": [{"x": 1, "y": 0, "theta": 1}]}, ${angled("theta", 3, 0)}`,
+  ),
+  "a path with a direction between two pivots": path(
+    passed(3, '{"x": 9, "y": 9, "derivatives": [{"x": 1, "y": 0}]}'),
+    `${pivot}, "output": [9, 5]`,
+  ),
+  "a path through a point twice between two pivots": path(passed(4, '{"x": 1, "y": 1}'), `${pivot}, "output": [9, 5]`),
   "a path with the crank's rate and no angle": path(
     passed(3, '{"x": 9, "y": 9, "derivatives": [{"x": 1, "y": 0, "input": 1}]}'),
     pivot,

@@ -26,5 +26,10 @@ const untimed_task = record<PathTask>({
   points: points_of(record<PathPoint>(direction, rates_of(record<PathRate>(direction)))),
   given: fc.record({ground_pivots}),
 });
-export const arbitrary_task = fc.oneof(timed_task, untimed_task);
+const posed_point = record<PathPoint>(
+  {...direction},
+  {theta_deg: number(), ...rates_of(record<PathRate>(direction, {theta: number()}))},
+);
+const posed_task = record<PathTask>({...kind, points: points_of(posed_point)});
+export const arbitrary_task = fc.oneof(timed_task, untimed_task, posed_task);
 export const arbitrary_requirements = {full_turn: fc.boolean()};

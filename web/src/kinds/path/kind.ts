@@ -2,13 +2,15 @@
 import type {Point, Requirements, Side} from "../../contract/messages";
 import type {Problem} from "../../state/problem";
 import {is_number, is_object, is_pair, read_list, type JsonObject} from "../../state/shape";
-import {diagonal_of, pattern_of, position_count} from "../../state/task";
+import {diagonal_of, pattern_of} from "../../state/task";
 import {significant} from "../../texts/numbers";
 import {path_making} from "../../analyses/tolerances/making";
 import {told_with_point} from "../carried";
-import type {Incomplete, TaskKind} from "../kind";
+import type {TaskKind} from "../kind";
 import {planar_objectives, planar_properties, planar_requirements, planar_types} from "../planar";
-import {counts, form_of, given_sides, is_path, pivots_of, place_of} from "./task";
+import {layer_at} from "./layers";
+import {incompleteness} from "./missing";
+import {angle_counts, angle_key, angle_of, angle_signs, given_sides, is_path, pivots_of, place_of} from "./task";
 import type {GroundPivots, PathPoint, PathRate, PathTask} from "./task";
 
 const most_points = 10_000,
@@ -16,18 +18,20 @@ const most_points = 10_000,
 
 function read_rate(value: unknown): PathRate | null {
   if (!is_object(value) || !is_number(value.x) || !is_number(value.y)) return null;
-  const {x, y, input} = value;
-  return {x, y, ...(is_number(input) ? {input} : {})};
+  const {x, y, input, theta} = value;
+  return {x, y, ...(is_number(input) ? {input} : {}), ...(is_number(theta) ? {theta} : {})};
 }
 function read_point(value: unknown): PathPoint | null {
   if (!is_object(value) || !is_number(value.x) || !is_number(value.y)) return null;
-  const {x, y, input_deg} = value,
+  const {x, y, input_deg, theta_deg} = value,
     derivatives = read_list(value.derivatives, read_rate, most_rates);
   if (input_deg !== undefined && !is_number(input_deg)) return null;
+  if (theta_deg !== undefined && !is_number(theta_deg)) return null;
   return {
     x,
     y,
     ...(input_deg === undefined ? {} : {input_deg}),
+    ...(theta_deg === undefined ? {} : {theta_deg}),
     ...(derivatives?.length ? {derivatives} : {}),
   };
 }
@@ -78,22 +82,35 @@ function mixer_blade(): Problem {
   const given = {ground_pivots: {input: [40, 90] as const}};
   return new_problem({points, given}, {full_turn: true, min_transmission_angle_deg: 25});
 }
+/** A gripper swings a part over, and past two places that it must clear. */
+function feeder(): Problem {
+  const points = [
+    {x: 0, y: 0, theta_deg: 0},
+    {x: 120, y: 60, theta_deg: -25},
+    {x: 230, y: 40, theta_deg: -60},
+    {x: 60, y: 150},
+    {x: 260, y: 160},
+  ];
+  const problem = new_problem({points}, {min_transmission_angle_deg: 10});
+  return {...problem, requirements: {...problem.requirements, max_length: 700}};
+}
+/** A foot strikes, pushes off and is lifted, its leg on a frame. */
+function walking_leg(): Problem {
+  const points = [
+    {x: -94, y: -27},
+    {x: -117, y: -102},
+    {x: -89, y: -173},
+    {x: -64, y: -185},
+    {x: -59, y: -155},
+  ];
+  const given = {ground_pivots: {input: [0, 0] as const, output: [190, -66] as const}};
+  return new_problem({points, given}, {full_turn: true});
+}
 function anchors(task: PathTask): Point[] {
   return [...task.points.map(place_of), ...Object.values(pivots_of(task))];
 }
 function default_max_length({task}: Problem): number {
   return Number((5 * (diagonal_of(anchors(task as PathTask)) || 1)).toPrecision(2));
-}
-/** What the engine is not asked for is said by what is given: how many points there are, or how many are missing or too many. */
-function incompleteness(task: PathTask): Incomplete | null {
-  const n = position_count(task.points),
-    form = form_of(task),
-    [fewest, most] = counts[form];
-  if (n >= fewest && n <= most) return null;
-  const state = n < fewest ? "too_few" : "too_many";
-  return form === "angles"
-    ? {state, text: `state.${state}_points`, n}
-    : {state, text: `state.${state}_points_${form}`, n: Math.abs(n - fewest)};
 }
 function moved_pivots(task: PathTask, point: (p: Point) => Point): Pick<PathTask, "given"> {
   if (!task.given) return {};
@@ -101,10 +118,17 @@ function moved_pivots(task: PathTask, point: (p: Point) => Point): Pick<PathTask
   return {given: {ground_pivots: Object.fromEntries(pivots) as GroundPivots}};
 }
 function table(task: PathTask, unit: string): {head: string[]; rows: string[][]} {
-  const head = [`x ${unit}`.trim(), `y ${unit}`.trim()],
-    written = (values: readonly number[]) => values.map((value) => significant(value, 7));
-  if (task.given) return {head, rows: task.points.map(({x, y}) => written([x, y]))};
-  return {head: [...head, "φ °"], rows: task.points.map(({x, y, input_deg = NaN}) => written([x, y, input_deg]))};
+  const key = angle_key(task),
+    written = (value: number | null) => (value === null ? "" : significant(value, 7));
+  return {
+    head: [`x ${unit}`.trim(), `y ${unit}`.trim(), ...(key ? [`${angle_signs[key]} °`] : [])],
+    rows: task.points.map((point) => [point.x, point.y, ...(key ? [angle_of(point)] : [])].map(written)),
+  };
+}
+/** The forms of the engine's maps: how many positions have angles, of which link, and which pivots are given. */
+function map_of(task: PathTask): string {
+  const {angled, plain} = angle_counts(task);
+  return ["path", angled, plain, angle_key(task) ?? "", ...given_sides(task)].join(" ");
 }
 
 const {types, no_defects, min_transmission_angle_deg, max_link_ratio, max_length, min_length} = planar_requirements,
@@ -120,7 +144,7 @@ export const path_kind: TaskKind<PathTask> = {
   is_mixed: ({points}) => points.some(({derivatives}) => derivatives?.length),
   anchors,
   default_max_length,
-  map_of: (task) => ["path", position_count(task.points), ...given_sides(task)].join(" "),
+  map_of,
   properties: planar_properties,
   types: planar_types,
   requirements: {
@@ -160,8 +184,12 @@ export const path_kind: TaskKind<PathTask> = {
   beginnings: [
     {id: "path", name: "new.path", about: "new.path_about", make: film_claw},
     {id: "path_pivot", name: "new.path_pivot", about: "new.path_pivot_about", make: mixer_blade},
+    {id: "path_poses", name: "new.path_poses", about: "new.path_poses_about", make: feeder},
+    {id: "path_pivots", name: "new.path_pivots", about: "new.path_pivots_about", make: walking_leg},
   ],
   ...told_with_point(({path}) => path ?? null),
+  at_place: ({path, tau}) =>
+    path?.layers?.length ? {all: path.layers.map((layer) => layer.tau), at: layer_at(path.layers, tau)} : null,
   texts: {
     "num.residual": "path.residual",
     "status.residual": "path.status_residual",

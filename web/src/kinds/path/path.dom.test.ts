@@ -134,7 +134,7 @@ describe("at given angles of the crank", () => {
     await click("path.pivot_of_output");
     expect(Object.keys(pivots_of(task()))).toEqual(["output"]);
     await click("path.given_pivots");
-    expect(text("task.missing")).toContain("1 too many");
+    expect(text("task.missing")).toContain("three points or with five");
     await click("path.given_angles");
     expect(task().points.map(({input_deg}) => input_deg)).toEqual([0, 40, 80, 120]);
     for (let steps = 0; steps < 4; ++steps) await press("Control+z");
@@ -212,5 +212,114 @@ describe("about a given pivot", () => {
     await until(() => /\p{Script=Han}/u.test(text("path.layers")));
     for (const part of ["path.layers", "path.given_pivots", "path.pivot_of_output", "path.click"])
       expect(text(part)).not.toMatch(/[a-z]{3}/i);
+  });
+});
+
+describe("at angles at some points", () => {
+  beforeEach(async () => {
+    await open_settled();
+    await begin("path_poses");
+    await until_settled();
+  });
+  const angles = () => task().points.map(({theta_deg}) => theta_deg);
+
+  test("three poses and two points are kept, by handles on the drawing where poses have theirs", async () => {
+    expect(workbench.census!.meeting).toBeGreaterThan(0);
+    expect(["path.turn_1", "path.turn_3", "path.turn_4", "path.dial"].map(is_there)).toEqual([
+      true,
+      true,
+      false,
+      false,
+    ]);
+    expect(text("num.tau")).toMatch(/^y −?[\d.]+ · x −?[\d.]+$/);
+    const turned = workbench.hand!.path!.theta_deg_at_points!;
+    expect([turned[1], turned[2]].map((angle) => angle!.toFixed(6))).toEqual(["-25.000000", "-60.000000"]);
+    await focus("drawing.turn_2");
+    await press("ArrowUp");
+    expect(angles()[1]).toBeGreaterThan(-25);
+    await until_settled();
+    await type_into("path.theta_deg.2", "-25");
+    await until_mapped();
+    expect(angles()).toEqual([0, -25, -60, undefined, undefined]);
+  });
+
+  test("an angle is hung on a point and taken off, and what is missing is said", async () => {
+    await click("path.angle.3");
+    expect(text("task.missing")).toContain("1 angle is missing");
+    await click("path.angle.4");
+    expect(angles()).toEqual([0, -25, undefined, -50, undefined]);
+    await until_settled();
+    expect(workbench.map).not.toBeNull();
+    await click("path.remove.5");
+    expect(text("task.missing")).toContain("1 point is missing");
+    await click("path.angle.3");
+    expect(text("task.missing")).toContain("a point is missing");
+    await click("path.add");
+    await until_mapped();
+    expect(text("task.pattern")).toBe("P-P-P-P-P");
+    expect(workbench.task!.axes.output.quantity).toBe("layer");
+  });
+
+  test("the angles are of the crank or of the coupler, and its rate goes with a direction", async () => {
+    await click("path.angle_of_input");
+    expect(task().points.map(({input_deg}) => input_deg)).toEqual([0, -25, -60, undefined, undefined]);
+    await until_settled();
+    expect([is_there("path.turn_1"), is_there("path.dial")]).toEqual([false, workbench.hand?.path != null]);
+    await press("Control+z");
+    await click("path.remove.5");
+    await click("path.remove.2");
+    await click("path.add_direction.1");
+    expect(task().points[0]!.derivatives![0]).toHaveProperty("theta", 0);
+    await type_into("path.rate.theta.1.1", "-0.01");
+    expect(task().points[0]!.derivatives![0]!.theta).toBe(-0.01);
+  });
+
+  test("the linkages of a place are flicked through by a key", async () => {
+    const first = text("path.layer"),
+      n = Number(/of (\d+)/.exec(first)![1]),
+      center = workbench.hand!.input.center!;
+    expect(n).toBeGreaterThan(1);
+    await press("l");
+    await until_settled();
+    expect(text("path.layer")).not.toBe(first);
+    expect(workbench.hand!.input.center!.map((value) => value.toFixed(6))).toEqual(
+      center.map((value) => value.toFixed(6)),
+    );
+    await press("Shift+L");
+    await until_settled();
+    expect(text("path.layer")).toBe(first);
+    expect(get("path.layer_after").title).toContain("(L)");
+  });
+
+  test("it speaks Chinese", async () => {
+    await click("view.language");
+    await until(() => /\p{Script=Han}/u.test(text("path.given_some")));
+    for (const part of ["path.given_some", "path.angle_of_coupler", "path.layers"])
+      expect(text(part)).not.toMatch(/[a-z]{3}/i);
+    await click("path.angle.1");
+    expect(text("task.missing")).toMatch(/\p{Script=Han}/u);
+  });
+});
+
+describe("between both pivots", () => {
+  test("all linkages through five points are listed, and the best turns fully", async () => {
+    await open_settled();
+    await begin("path_pivots");
+    await until_settled();
+    expect(workbench.map!.columns).toBe(24);
+    expect(text("path.layer")).toMatch(/of 24 at this place$/);
+    expect([text("num.type"), text("path.full_turn")]).toEqual(["Crank-rocker", "yes"]);
+    expect(all("region.ribbon_bar").length).toBeGreaterThan(0);
+    await click("path.remove.5");
+    expect(text("task.missing")).toContain("three points or with five");
+    await click("path.remove.4");
+    await until_settled();
+    expect(workbench.task!.axes.input.quantity).toBe("arm_reach");
+    for (const i of [1, 2, 3]) await click(`path.angle.${i}`);
+    expect(task().points.every(({input_deg}) => input_deg !== undefined)).toBe(true);
+    await type_into("path.input_deg.2", "-40");
+    await type_into("path.input_deg.3", "-80");
+    await until_mapped();
+    expect([workbench.map!.rows, workbench.map!.columns]).toEqual([1, 1]);
   });
 });

@@ -1,7 +1,8 @@
-// The points, given pivots and the marks of the crank's dial, as one takes hold of them on the drawing.
+// The points, the coupler's angles there, given pivots and the marks of the crank's dial, as one takes hold of them on the
+// drawing.
 import type {Point, Side} from "../../contract/messages";
 import {Way, type Drag} from "../../drawing/drags/drag";
-import {task_handle, type Handle} from "../../drawing/handles";
+import {arm_length, knob_place, task_handle, type Handle} from "../../drawing/handles";
 import {angle_note, point_note} from "../../drawing/notes";
 import {multiple, wrapped_deg, type Keys} from "../../drawing/snapping";
 import {part_drag, type Surface} from "../../drawing/surface";
@@ -10,9 +11,10 @@ import {t} from "../../texts/texts.svelte";
 import {anchors_of} from "../kind_dispatch";
 import {dial_of, hold_dial, release_dial, type Dial} from "./dial";
 import {path_task, points_of, with_pivot, with_point} from "./points";
-import {given_sides, pivots_of, place_of} from "./task";
+import {given_sides, pivots_of, place_of, type PathPoint} from "./task";
 
 export const point_part = (index: number) => `point_${index + 1}`;
+export const turn_part = (index: number) => `turn_${index + 1}`;
 export const mark_part = (index: number) => `crank_${index + 1}`;
 
 /** As the pivots of linkages are called, in whose place it is taken hold of. */
@@ -23,8 +25,9 @@ export function path_handles(surface: Surface): Handle[] {
     task = path_task(surface.workbench.problem);
   return [
     ...(task?.points ?? []).map((_, index) => point_handle(surface, index)),
+    ...(task?.points ?? []).flatMap((point, index) => turn_handle(surface, point, index) ?? []),
     ...(task ? given_sides(task) : []).map((side) => pivot_handle(surface, side)),
-    ...(dial?.marks.map((_, index) => mark_handle(surface, dial, index)) ?? []),
+    ...(dial?.marks.map((mark) => mark_handle(surface, dial, mark)) ?? []),
   ];
 }
 
@@ -91,33 +94,74 @@ function pivot_handle(surface: Surface, side: Side): Handle {
 function snapped(raw: number, on: boolean, keys: Keys): number {
   return multiple(raw, keys.shift ? 15 : keys.alt || !on ? 0.001 : keys.fine ? 0.1 : 1);
 }
-function mark_handle(surface: Surface, dial: Dial, index: number): Handle {
+/** An angle of a point's, turned about a centre on the screen, where it is counted from `zero_deg`. */
+interface Turn {
+  part: string;
+  label: (angle: string) => string;
+  sign: string;
+  center: Point;
+  zero_deg: number;
+  angle_deg: number;
+  change: (angle_deg: number) => Partial<PathPoint>;
+  held?: () => void;
+  released?: () => void;
+}
+function angle_handle(surface: Surface, index: number, at: Point, turn: Turn): Handle {
   const {workbench} = surface,
-    part = mark_part(index),
-    mark = dial.marks[index]!;
-  const set = (input_deg: number) => (problem: typeof workbench.problem) => with_point(problem, index, {input_deg});
+    {part, center} = turn;
+  const set = (angle_deg: number) => (problem: Problem) => with_point(problem, index, turn.change(angle_deg));
   return task_handle(
     {
       part,
-      label: () => t("path.crank_handle", {n: index + 1, angle: angle_note(mark.angle_deg)}),
+      label: () => turn.label(angle_note(turn.angle_deg)),
       drag(): Drag {
-        let value = mark.angle_deg;
-        hold_dial(surface);
+        let value = turn.angle_deg;
+        turn.held?.();
         return part_drag(surface, part, {
-          move(at, keys) {
-            const raw = (Math.atan2(dial.center[1] - at[1], at[0] - dial.center[0]) * 180) / Math.PI - dial.zero_deg;
+          move(to, keys) {
+            const raw = (Math.atan2(center[1] - to[1], to[0] - center[0]) * 180) / Math.PI - turn.zero_deg;
             value = snapped(value + wrapped_deg(raw - value), surface.space.snaps, keys);
             workbench.drag(set(value));
-            surface.tell(at, `φ ${angle_note(value)}`);
+            surface.tell(to, `${turn.sign} ${angle_note(value)}`);
           },
-          ended: () => release_dial(surface),
+          ended: () => turn.released?.(),
         });
       },
       nudge(dx, dy, step) {
         const by = ((dy || -dx) * step) / surface.space.step;
-        workbench.edit(set(Number((mark.angle_deg + by).toPrecision(12))), `nudge ${part}`);
+        workbench.edit(set(Number((turn.angle_deg + by).toPrecision(12))), `nudge ${part}`);
       },
     },
-    mark.at,
+    at,
   );
+}
+function mark_handle(surface: Surface, dial: Dial, {index, at, angle_deg}: Dial["marks"][number]): Handle {
+  return angle_handle(surface, index, at, {
+    part: mark_part(index),
+    label: (angle) => t("path.crank_handle", {n: index + 1, angle}),
+    sign: "φ",
+    center: dial.center,
+    zero_deg: dial.zero_deg,
+    angle_deg,
+    change: (input_deg) => ({input_deg}),
+    held: () => hold_dial(surface),
+    released: () => release_dial(surface),
+  });
+}
+/** Where the coupler's angle at a point is taken hold of, as that of a pose is. */
+export function knob_of({space}: Pick<Surface, "space">, {x, y, theta_deg}: PathPoint): Point | null {
+  return theta_deg === undefined ? null : knob_place({x, y, theta_deg}, space, arm_length);
+}
+function turn_handle(surface: Surface, point: PathPoint, index: number): Handle | null {
+  const at = knob_of(surface, point);
+  if (!at) return null;
+  return angle_handle(surface, index, at, {
+    part: turn_part(index),
+    label: (angle) => t("path.turn_handle", {n: index + 1, angle}),
+    sign: "θ",
+    center: surface.space.project(place_of(point)),
+    zero_deg: 0,
+    angle_deg: point.theta_deg!,
+    change: (theta_deg) => ({theta_deg}),
+  });
 }

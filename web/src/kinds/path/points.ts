@@ -1,11 +1,13 @@
-// The points of a path task and what is given beside them, as they are edited.
-import type {Linkage, Point, Side, TauPair} from "../../contract/messages";
+// The points of a path task, their angles and what is given beside them, as they are edited.
+import type {Linkage, Point, Side} from "../../contract/messages";
 import {round_step, with_task, type Problem} from "../../state/problem";
-import {diagonal_of, position_count} from "../../state/task";
+import {diagonal_of} from "../../state/task";
 import {multiple} from "../../drawing/snapping";
 import {without_unmet} from "../kind_dispatch";
-import {counts, form_of, given_sides, is_path, pivots_of, place_of} from "./task";
-import type {GroundPivots, PathForm, PathPoint, PathRate, PathTask} from "./task";
+import {angle_ahead, angle_between, evenly_timed, some_angled, with_angle_on, without_angle} from "./angles";
+import {wanted_point} from "./missing";
+import {angle_key, angle_of, form_of, given_sides, is_path, pivots_of, place_of} from "./task";
+import type {AngleKey, GroundPivots, PathForm, PathPoint, PathTask} from "./task";
 
 export function path_task({task}: Problem): PathTask | null {
   return is_path(task) ? task : null;
@@ -24,37 +26,53 @@ export function with_point(problem: Problem, index: number, change: Partial<Path
   return with_points(problem, (points) => points.map((one, i) => (i === index ? {...one, ...change} : one)));
 }
 
-/** One more, as far on as the last is from the one before, by place and, where angles are given, by angle. */
-export function continued({points, given}: PathTask, step: number): PathPoint {
-  const last = points.at(-1) ?? {x: -step, y: 0, input_deg: -30},
-    before = points.at(-2) ?? {x: last.x - step, y: last.y, input_deg: (last.input_deg ?? 0) - 30};
-  const on = (key: "x" | "y" | "input_deg") => Number((2 * (last[key] ?? 0) - (before[key] ?? 0)).toPrecision(12));
-  return {x: on("x"), y: on("y"), ...(given ? {} : {input_deg: on("input_deg")})};
+/** One more, as far on as the last is from the one before, by place and, with an angle of `key`, by angle. */
+export function continued({points}: Pick<PathTask, "points">, step: number, key: AngleKey | null): PathPoint {
+  const last = points.at(-1) ?? {x: -step, y: 0},
+    before = points.at(-2) ?? {x: last.x - step, y: last.y};
+  const on = (to: number, from: number) => Number((2 * to - from).toPrecision(12));
+  const place = {x: on(last.x, before.x), y: on(last.y, before.y)};
+  return key ? with_angle_on(place, key, angle_ahead(points, key)) : place;
+}
+/** Whose angles a point gets that is to have one. */
+export function usual_key(task: PathTask): AngleKey {
+  return angle_key(task) ?? (form_of(task) === "some" ? "theta_deg" : "input_deg");
 }
 /** What a click on the drawing adds where points are missing. */
 export function with_clicked(problem: Problem, [x, y]: Point): Problem | null {
+  const task = path_task(problem),
+    wanted = task && wanted_point(task);
+  if (!wanted) return null;
+  const point = continued(task, 0, wanted === "angled" ? usual_key(task) : null);
+  return with_points(problem, (points) => [...points, {...point, x, y}]);
+}
+/** To be clicked anew: all points, or those without an angle where others have one. */
+export function clicked_anew(points: readonly PathPoint[]): readonly PathPoint[] {
+  const angled = points.filter((point) => angle_of(point) !== null);
+  return angled.length < points.length ? angled : [];
+}
+
+// ---- angles -----------------------------------------------------------------------------------------------------------
+
+/** With an angle at a point that has none, or without the one that it has. */
+export function with_angle_turned(problem: Problem, index: number): Problem {
   const task = path_task(problem);
-  if (!task || position_count(task.points) >= counts[form_of(task)][0]) return null;
-  return with_points(problem, (points) => [...points, {...continued(task, 0), x, y}]);
+  if (!task) return problem;
+  const key = usual_key(task);
+  const turned = (point: PathPoint) =>
+    angle_of(point) === null ? with_angle_on(point, key, angle_between(task.points, index, key)) : without_angle(point);
+  return with_points(problem, (points) => points.map((one, i) => (i === index ? turned(one) : one)));
 }
-/** Another place in the order in which they are passed; the angles stay where they were, in theirs. */
-export function reordered(points: readonly PathPoint[], from: number, to: number): PathPoint[] {
-  const list = points.map(untimed),
-    [moved] = list.splice(from, 1);
-  if (moved) list.splice(to, 0, moved);
-  return list.map((one, i) => timed(one, points[i]!.input_deg));
-}
-/** The angles in equal steps between the first and the last. */
-export function evenly_timed(points: readonly PathPoint[]): PathPoint[] {
-  const first = points[0]?.input_deg ?? 0,
-    span = (points.at(-1)?.input_deg ?? 0) - first;
-  return points.map((one, i) => timed(one, multiple(first + (span * i) / Math.max(points.length - 1, 1), 1e-6)));
-}
-function timed(point: PathPoint, input_deg: number | undefined): PathPoint {
-  return input_deg === undefined ? point : {...point, input_deg};
-}
-function untimed({input_deg: _, ...rest}: PathPoint): PathPoint {
-  return rest;
+/** The angles that there are as those of the other link. */
+export function with_angles_of(problem: Problem, key: AngleKey): Problem {
+  const swapped = (point: PathPoint): PathPoint => {
+    const angle = angle_of(point);
+    return angle === null ? point : with_angle_on(point, key, angle);
+  };
+  return changed(problem, (task) => {
+    if (angle_key(task) === key) return task;
+    return {...task, points: angle_key(task) ? task.points.map(swapped) : some_angled(task.points, key)};
+  });
 }
 
 // ---- what is given beside them ----------------------------------------------------------------------------------------
@@ -62,23 +80,37 @@ function untimed({input_deg: _, ...rest}: PathPoint): PathPoint {
 const usual_span_deg = 120;
 
 /** With something else given. Points stay, and pivots as far as they are given then, too; others begin where the linkage in
- *  hand has them, else beside the points. Angles come back evenly. */
+ *  hand has them, else beside the points. Angles at all come back evenly, at some they stay at three. */
 export function with_form(problem: Problem, form: PathForm, hand: Linkage | null): Problem {
   return changed(problem, (task) => {
     if (form_of(task) === form) return task;
     if (form === "angles") return timed_task(task);
+    if (form === "some")
+      return {...without_pivots(task), points: some_angled(task.points, angle_key(task) ?? "theta_deg")};
     const [side = "input"] = given_sides(task),
       sides = form === "pivot" ? [side] : (["input", "output"] as const);
-    return {...task, points: task.points.map(directed), given: {ground_pivots: pivots_at(task, sides, hand)}};
+    const stay = given_sides(task).length > 0; // with one pivot what goes with both
+    return {
+      ...task,
+      points: stay ? task.points : task.points.map(without_angle),
+      given: {ground_pivots: pivots_at(task, sides, hand)},
+    };
   });
 }
-function timed_task({given: _, ...task}: PathTask): PathTask {
-  return {...task, points: evenly_timed(task.points.map((one, i) => timed(one, i === 0 ? 0 : usual_span_deg)))};
+function without_pivots({given: _, ...task}: PathTask): PathTask {
+  return task;
 }
-/** Without the crank: its rates go with its angle. */
-function directed(point: PathPoint): PathPoint {
-  const {derivatives, ...rest} = untimed(point);
-  return {...rest, ...(derivatives ? {derivatives: derivatives.map(({x, y}): PathRate => ({x, y}))} : {})};
+function timed_task(task: PathTask): PathTask {
+  const timed = (point: PathPoint, i: number): PathPoint => ({
+    ...without_coupler(point),
+    input_deg: i === 0 ? 0 : usual_span_deg,
+  });
+  const {points} = task,
+    known = points.length > 0 && points.every(({input_deg}) => input_deg !== undefined);
+  return {...without_pivots(task), points: known ? points : evenly_timed(points.map(timed))};
+}
+function without_coupler(point: PathPoint): PathPoint {
+  return point.theta_deg === undefined ? point : without_angle(point);
 }
 function pivots_at(task: PathTask, sides: readonly Side[], hand: Linkage | null): GroundPivots {
   return sides.reduce<GroundPivots>((pivots, side) => {
@@ -109,12 +141,4 @@ export function with_pivot_of(problem: Problem, side: Side): Problem {
     const [at] = Object.values(pivots_of(task));
     return at ? {...task, given: {ground_pivots: {[side]: at}}} : task;
   });
-}
-
-/** Which of the linkages at a place τ names: the first, the best there, where it names none. */
-export function layer_at(layers: readonly {tau: TauPair}[], tau: TauPair): number {
-  return Math.max(
-    layers.findIndex((layer) => tau[0] >= 1 && Math.floor(layer.tau[0]) === Math.floor(tau[0])),
-    0,
-  );
 }

@@ -2,18 +2,20 @@
 import type {Point, Side} from "../../contract/messages";
 import type {Task} from "../../state/task";
 
-/** By any parameter that rises along the task; `input`, radians of the crank: left out, the parameter is the crank's turn.
- *  Where no angles are given, a direction of travel. */
+/** By any parameter that rises along the task. `input`, radians of the crank: left out, the parameter is the crank's turn.
+ *  `theta`, of the coupler: where its angle is given. Where no angle is, a direction of travel. */
 export interface PathRate {
   x: number;
   y: number;
   input?: number;
+  theta?: number;
 }
-/** A place of the coupler's point, and the crank's angle there from any datum: at every point or at none. */
+/** A place of the coupler's point, and the angle there of the crank or of the coupler, from any datum. */
 export interface PathPoint {
   x: number;
   y: number;
   input_deg?: number;
+  theta_deg?: number;
   derivatives?: readonly PathRate[];
 }
 /** Of one of the links, or of both. */
@@ -23,7 +25,6 @@ export interface PathTask extends Task {
   mechanism: "four_bar";
   /** In the order in which they are passed. */
   points: readonly PathPoint[];
-  /** In place of angles of the crank. */
   given?: {ground_pivots: GroundPivots};
 }
 
@@ -32,15 +33,38 @@ export function is_path(task: Task): task is PathTask {
 }
 export const place_of = ({x, y}: PathPoint): Point => [x, y];
 
-/** What is given beside the points. */
-export const path_forms = ["angles", "pivot", "pivots"] as const;
+// ---- angles -----------------------------------------------------------------------------------------------------------
+
+/** Whose angles they are, by what the file calls them: of the crank, or of the coupler. */
+export type AngleKey = "input_deg" | "theta_deg";
+export const angle_signs = {input_deg: "φ", theta_deg: "θ"} as const;
+
+export function angle_of({input_deg, theta_deg}: PathPoint): number | null {
+  return input_deg ?? theta_deg ?? null;
+}
+/** Whose angle a point has; null: none. */
+export function own_key({input_deg, theta_deg}: PathPoint): AngleKey | null {
+  if (theta_deg !== undefined) return "theta_deg";
+  return input_deg === undefined ? null : "input_deg";
+}
+/** Whose angles the task has; null: none. */
+export function angle_key({points}: Pick<PathTask, "points">): AngleKey | null {
+  if (points.some(({theta_deg}) => theta_deg !== undefined)) return "theta_deg";
+  return points.some(({input_deg}) => input_deg !== undefined) ? "input_deg" : null;
+}
+/** Positions with an angle, and without, derivatives counted. */
+export function angle_counts({points}: Pick<PathTask, "points">): {angled: number; plain: number} {
+  const counts = {angled: 0, plain: 0};
+  for (const point of points)
+    counts[angle_of(point) === null ? "plain" : "angled"] += 1 + (point.derivatives?.length ?? 0);
+  return counts;
+}
+
+// ---- forms ------------------------------------------------------------------------------------------------------------
+
+/** What is given beside the points: angles at all or some of them, or ground pivots. */
+export const path_forms = ["angles", "some", "pivot", "pivots"] as const;
 export type PathForm = (typeof path_forms)[number];
-/** So many positions go with it. */
-export const counts: Record<PathForm, readonly [fewest: number, most: number]> = {
-  angles: [4, 5],
-  pivot: [5, 5],
-  pivots: [3, 3],
-};
 
 export function pivots_of({given}: PathTask): GroundPivots {
   return given?.ground_pivots ?? {};
@@ -50,6 +74,9 @@ export function given_sides(task: PathTask): Side[] {
   const pivots = pivots_of(task);
   return (["input", "output"] as const).filter((side) => pivots[side]);
 }
+/** A task without points is to have angles at all that will come. */
 export function form_of(task: PathTask): PathForm {
-  return path_forms[given_sides(task).length]!;
+  const pivots = given_sides(task).length;
+  if (pivots) return pivots === 1 ? "pivot" : "pivots";
+  return task.points.every(({input_deg}) => input_deg !== undefined) ? "angles" : "some";
 }
