@@ -179,17 +179,18 @@ void check_something_is_given(const PathTask& task, std::vector<Error>& found) {
 
 // Of one link alone, and not of all points of the coupler: that is a motion task.
 void check_kinds_of_angles(const PathTask& task, std::vector<Error>& found) {
-  const auto with_angle = points_that(task, [](const PathPoint& point) { return point.angle.has_value(); });
-  if (with_angle.empty()) return;
-  for (const std::size_t i : timed_points(task))
-    return found.push_back(
-        {task.points[i].angle ? "path_point_with_both_angles" : "path_angles_of_both_links", place_of_point(i),
-         task.points[i].angle
-             ? "this point has an angle of the crank and one of the coupler, more than a four-bar can keep; leave one "
-               "out"
-             : "some points have an angle of the crank (\"input_deg\"), others one of the coupler (\"theta_deg\"); "
-               "give those of one link"});
-  if (with_angle.size() == task.points.size())
+  const auto posed = points_that(task, [](const PathPoint& point) { return point.angle.has_value(); });
+  const auto with_both = points_that(task, [](const PathPoint& point) { return point.angle && point.input; });
+  const auto timed = timed_points(task);
+  if (!with_both.empty())
+    found.push_back({"path_point_with_both_angles", place_of_point(with_both.front()),
+                     "this point has an angle of the crank and one of the coupler, more than a four-bar can keep; leave "
+                     "one out"});
+  else if (!posed.empty() && !timed.empty())
+    found.push_back({"path_angles_of_both_links", place_of_point(std::max(posed.front(), timed.front())),
+                     "some points have an angle of the crank (\"input_deg\"), others one of the coupler "
+                     "(\"theta_deg\"); give those of one link"});
+  else if (!posed.empty() && posed.size() == task.points.size())
     found.push_back({"path_of_poses", "task.points",
                      "the coupler's angle is given at every point: that is a motion task, so set \"kind\" to "
                      "\"motion\" and name the points \"poses\""});
