@@ -25,7 +25,8 @@ std::string point_count(const FourBarAnswer& answer) {
 
 std::string crank_count(const PathAnswer& answer) {
   const std::size_t count = answer.given.points.size();
-  if (answer.task.form() != PathForm::cranks || answer.given.curve || (count == 0 && !answer.given.has_no_dyads)) return "";
+  if (answer.task.form() != PathForm::cranks || answer.given.curve || (count == 0 && !answer.given.has_no_dyads))
+    return "";
   return count == 0 ? ": no crank" : fmt::format(": {} crank{}", count, count == 1 ? "" : "s");
 }
 

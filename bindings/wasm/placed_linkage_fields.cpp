@@ -114,8 +114,9 @@ void more_fields(FieldVisitor& v, const LinkageMore& of) {
       Field("profile", "Of the path beside the line: way along it, deviation, ds/dφ (null: unbounded), driver angle."),
       of.profile, forms::on_a_line, four);
   v.shown_if_any(Field("rates", "Of a linkage that is the task."), of.rates);
-  v.shown_if_any(Field("layers", "Of paths: all linkages at this place of the map, where there may be several, in layers."),
-                 of.layers, forms::on_lines);
+  v.shown_if_any(
+      Field("layers", "Of paths: all linkages at this place of the map, where there may be several, in layers."),
+      of.layers, forms::on_lines);
 }
 
 }  // namespace

@@ -26,8 +26,8 @@ Point centroid_of(const PathTask& task) {
   return sum / static_cast<double>(task.points.size());
 }
 
-// Root of the mean square of the points' distances from their centroid; of one point its distance from the pivot, and at
-// the pivot its speed.
+// Root of the mean square of the points' distances from their centroid; of one point its distance from the pivot, and
+// at the pivot its speed.
 double size_of(const PathTask& task) {
   const Point middle = centroid_of(task);
   double squares = 0;

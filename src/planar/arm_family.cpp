@@ -140,8 +140,8 @@ struct ArmFamily::Found {
 
 // ---- all linkages of some arms --------------------------------------------------------------------------------------
 
-/// Arms are added, and their linkages come out some time later, in the order in which their arms came: each is put where
-/// `Take` wants it that is told how it is rated.
+/// Arms are added, and their linkages come out some time later, in the order in which their arms came: each is put
+/// where `Take` wants it that is told how it is rated.
 class ArmFamily::Solver {
  public:
   Solver(const ArmFamily& family, bool respect_direction, Simd simd)

@@ -14,8 +14,8 @@ LINKWRIGHT_INLINE void row_of_place(const ArmBlock& block, int place, int at, Ro
   using R = Real<Width>;
   const double x = block.place[place][0], y = block.place[place][1];
   const R c = load<Width>(block.turn[place][0] + at), s = load<Width>(block.turn[place][1] + at);
-  const R values[7] = {root_two * (1.0 - c), root_two * s, c * x + s * y,          c * y - s * x,
-                       R{} - x,              R{} - y,      R{} + 0.5 * (x * x + y * y)};
+  const R values[7] = {root_two * (1.0 - c),       root_two * s, c * x + s * y, c * y - s * x, R{} - x, R{} - y,
+                       R{} + 0.5 * (x * x + y * y)};
   for (int i = 0; i < 7; ++i) row[i] = values[i];
 }
 
@@ -78,7 +78,8 @@ struct FiniteDyad {
 };
 
 template <int Width, int Places>
-LINKWRIGHT_INLINE DrivenLinks<Places, Width> driven_dyads(const ArmBlock& block, const FiniteDyad<Width>& dyad, int at) {
+LINKWRIGHT_INLINE DrivenLinks<Places, Width> driven_dyads(const ArmBlock& block, const FiniteDyad<Width>& dyad,
+                                                          int at) {
   using R = Real<Width>;
   DrivenLinks<Places, Width> driven;
   store<Width>(dyad.center_x, driven.center_x);
@@ -107,9 +108,7 @@ LINKWRIGHT_INLINE void judge(ArmBlock& block, const DriverLanes<Width, Places>& 
   const auto v = pair_verdict<Width>(driver, driven, 0, distances<Width>(driver, driven, 0), block.zero_share);
   const Mask whole = v.whole & found.finite;
   const R hb = select<Width>(whole, v.hb, R{} + 1.0);
-  const auto versine = [&](Mask mask, R worst) {
-    return where<Width>(mask & whole, larger(hb - worst, R{}) / hb);
-  };
+  const auto versine = [&](Mask mask, R worst) { return where<Width>(mask & whole, larger(hb - worst, R{}) / hb); };
   const unsigned long long at_infinity = bytes<Width>(negated<Width>(found.finite));
   store<Width>((v.type & ~(at_infinity * 0xff)) | at_infinity * degenerate_code, block.type[dyad] + at);
   store<Width>(v.defects, block.defects[dyad] + at);

@@ -41,7 +41,7 @@ FurtherDyadSolver::FurtherDyadSolver(std::span<const PathPlace> path, bool arm_d
 
 void FurtherDyadSolver::add(Point pivot, const ArmMotion& motion, std::uint8_t senses, std::uint8_t half_turn_senses) {
   const auto lane = static_cast<std::size_t>(block_.count++);
-  const auto put = [lane](double (&to)[2][ArmBlock::size], Point value) {
+  const auto put = [lane](double(&to)[2][ArmBlock::size], Point value) {
     to[0][lane] = value.real();
     to[1][lane] = value.imag();
   };

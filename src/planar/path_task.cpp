@@ -183,9 +183,10 @@ void check_kinds_of_angles(const PathTask& task, std::vector<Error>& found) {
   const auto with_both = points_that(task, [](const PathPoint& point) { return point.angle && point.input; });
   const auto timed = timed_points(task);
   if (!with_both.empty())
-    found.push_back({"path_point_with_both_angles", place_of_point(with_both.front()),
-                     "this point has an angle of the crank and one of the coupler, more than a four-bar can keep; leave "
-                     "one out"});
+    found.push_back(
+        {"path_point_with_both_angles", place_of_point(with_both.front()),
+         "this point has an angle of the crank and one of the coupler, more than a four-bar can keep; leave "
+         "one out"});
   else if (!posed.empty() && !timed.empty())
     found.push_back({"path_angles_of_both_links", place_of_point(std::max(posed.front(), timed.front())),
                      "some points have an angle of the crank (\"input_deg\"), others one of the coupler "

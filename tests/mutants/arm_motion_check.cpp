@@ -1,5 +1,5 @@
-// Arms that turn at known rates, and what is told of them: places of the point with its derivatives, at some the angle of
-// the link or of the body. Link, body and their rates must be those known, and the arm must meet its own conditions.
+// Arms that turn at known rates, and what is told of them: places of the point with its derivatives, at some the angle
+// of the link or of the body. Link, body and their rates must be those known, and the arm must meet its own conditions.
 
 #include <algorithm>
 #include <cmath>
@@ -87,8 +87,8 @@ int differences_of(const Known& known) {
   }
   const Point z = -known.first, c = known.arm.pivot, product = z * std::conj(c);
   const double half = std::sqrt(0.5);
-  const std::array<double, 7> numbers = {half * product.real(), half * product.imag(), z.real(), z.imag(),
-                                         c.real(),              c.imag(),              1};
+  const std::array<double, 7> numbers = {
+      half * product.real(), half * product.imag(), z.real(), z.imag(), c.real(), c.imag(), 1};
   for (const ConditionRow& row : condition_rows(known.path, motion)) {
     double sum = 0, size = 0;
     for (std::size_t k = 0; k < row.size(); ++k) {
@@ -105,7 +105,8 @@ int differences_of(const Known& known) {
 int main() {
   std::mt19937_64 random(35);
   int different = 0, tasks = 0;
-  for (const std::vector<int>& pattern : std::vector<std::vector<int>>{{1, 1, 1, 1, 1}, {2, 1, 1, 1}, {1, 3, 1}, {2, 2, 1}})
+  for (const std::vector<int>& pattern :
+       std::vector<std::vector<int>>{{1, 1, 1, 1, 1}, {2, 1, 1, 1}, {1, 3, 1}, {2, 2, 1}})
     for (const Angle angle : {Angle::none, Angle::of_link, Angle::of_body})
       for (int i = 0; i < 60; ++i, ++tasks) {
         std::vector<Angle> known;
