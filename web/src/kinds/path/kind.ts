@@ -104,7 +104,7 @@ function walking_leg(): Problem {
     {x: -59, y: -155},
   ];
   const given = {ground_pivots: {input: [0, 0] as const, output: [190, -66] as const}};
-  return new_problem({points, given}, {full_turn: true});
+  return new_problem({points, given}, {full_turn: true, min_transmission_angle_deg: 30});
 }
 function anchors(task: PathTask): Point[] {
   return [...task.points.map(place_of), ...Object.values(pivots_of(task))];
