@@ -209,12 +209,12 @@ class ArmFamily::Solver {
     const PairJudgement judged = dyads_.judged(i, at);
     if (judged.type == LinkageType::degenerate) return;
     const MapPoint place = family_.in_layer(arms.place, {arms.pattern.bits, number});
-    // Where pivots are judged they are needed first, and where there is no other use of them, last.
-    const Rated rated = rated_by(judged, place, judges_pivots_ ? bars_of(arms, dyads_.dyad(i, at)) : std::nullopt);
-    Found* const slot = take(arms.tag, rated);
-    const auto bars = slot ? bars_of(arms, dyads_.dyad(i, at)) : std::nullopt;
-    if (!bars) return;
-    *slot = {place, *bars, judged, arms.motion.link[0], arms.motion.link[count() - 1], arms.senses.all, rated};
+    // Finite, or it would be degenerate. Most linkages are not taken: only where pivots are judged are they needed
+    // first.
+    const auto bars = [&] { return bars_of(arms, dyads_.dyad(i, at)).value(); };
+    const Rated rated = rated_by(judged, place, judges_pivots_ ? std::optional(bars()) : std::nullopt);
+    if (Found* const slot = take(arms.tag, rated))
+      *slot = {place, bars(), judged, arms.motion.link[0], arms.motion.link[count() - 1], arms.senses.all, rated};
   }
   // Judged by itself.
   void take_pair(const Arms& arms, std::size_t number, const Dyad& other, const Take& take) {
