@@ -52,6 +52,17 @@ struct ArmFamily::Layer {
   [[nodiscard]] std::size_t index(std::size_t dyads_of_pattern) const { return pattern * dyads_of_pattern + dyad; }
 };
 
+namespace {
+
+/// Of a coordinate in [0, 1) as many digits as it keeps in the layer farthest on, so that a linkage has the same arm to
+/// the bit whether its place or its layer is asked for.
+double kept_in_layers(double coordinate) {
+  constexpr double beyond_all_layers = 128, step = 0x1p-45;
+  return std::min((coordinate + beyond_all_layers) - beyond_all_layers, 1 - step);
+}
+
+}  // namespace
+
 std::size_t ArmFamily::dyads_of_pattern() const { return dyads_of(*choice_); }
 
 // Nothing on the branch where the best are.
@@ -77,13 +88,15 @@ MapPoint ArmFamily::in_layer(MapPoint place, Layer layer) const {
     case LayersOf::output_branch:
       return {place.input, index + 0.5};
     default:
-      return {1 + index + place.input - std::floor(place.input), place.output};
+      return {1 + index + without_layer(place).input, place.output};
   }
 }
 
 MapPoint ArmFamily::without_layer(MapPoint place) const {
-  if (choice_->layers() == LayersOf::input_axis) place.input = axis(Side::input).onto(place.input);
-  return place;
+  if (choice_->layers() != LayersOf::input_axis) return place;
+  const double coordinate = axis(Side::input).onto(place.input);
+  const bool is_on = coordinate >= 0 && coordinate < 1;
+  return {is_on ? kept_in_layers(coordinate) : coordinate, place.output};
 }
 
 /// What is shown of several: those that meet the requirements, those without defects, the better score.
@@ -432,7 +445,7 @@ MapPoint ArmFamily::shown_at(const RegionMap& map, std::size_t row, std::size_t 
   const MapPoint place{map.input_coordinates()[row], map.output_coordinates()[column]};
   if (choice_->layers() != LayersOf::input_axis) return place;
   const double layer = static_cast<double>(map.values(measures::layer)[map.index(row, column)]);
-  return {layer + place.input - std::floor(place.input), place.output};
+  return {layer + without_layer(place).input, place.output};
 }
 
 MapPivots ArmFamily::pivots(const RegionMap& map) const {

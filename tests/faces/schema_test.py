@@ -35,7 +35,12 @@ BEYOND_SCHEMA = {"repeated_pose", "repeated_pose_a_turn_later", "transmission_an
                  "line_deviation_of_lines_in_a_motion", "line_measure_of_lines_in_a_motion",
                  "path_equal_angles", "path_equal_angles_a_turn_apart", "path_closed_by_its_first_point", "path_repeated_point",
                  "path_of_more_than_a_turn", "path_that_turns_back", "path_crank_against_its_sense",
-                 "path_requirement_of_a_motion"}
+                 "path_requirement_of_a_motion",
+                 "path_of_one_pose_and_four_points", "path_of_two_poses_and_three_points", "path_pivot_at_a_point",
+                 "path_pivot_of_output_at_a_point", "path_pivots_at_one_place", "path_point_again_at_once",
+                 "path_point_three_times", "path_point_twice_between_pivots", "path_rest_at_a_plain_point",
+                 "path_some_angles_equal", "path_some_angles_more_than_a_turn", "path_some_angles_turn_back",
+                 "path_some_crank_against_its_sense", "path_with_a_pose_twice"}
 
 # Words of refusals that no schema can give: what is wrong is no matter of structure.
 BEYOND_STRUCTURE = ("same", "above the upper", "max_length", "at infinity", "in which the body moves", "the lower number first",
