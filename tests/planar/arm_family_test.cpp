@@ -409,6 +409,22 @@ TEST(ArmFamily, APointThatStartsAtTheGivenPivotHasASize) {
   EXPECT_EQ(arm_task(task).frame.scale, 5);
 }
 
+// To the bit: where a dyad's number changes, the last digit of the arm would make it another linkage.
+TEST(ArmFamily, ALinkageIsTheSameByItsPlaceAndByItsLayer) {
+  std::mt19937_64 random(4);
+  for (const PathTask& task : {mixer(), feeder()}) {
+    const auto family = arms_of(task);
+    for (int i = 0; i < 500; ++i) {
+      const auto found = family->cell({in(random, 0, 1), in(random, 0, 1)});
+      if (!found) continue;
+      const auto again = family->cell(found->place);
+      ASSERT_TRUE(again);
+      EXPECT_EQ(again->place.input, found->place.input);
+      EXPECT_EQ(again->values, found->values);
+    }
+  }
+}
+
 // Whatever stands at a place, the cell shows the best of it.
 TEST(ArmFamily, ACellShowsTheBestOfItsPlace) {
   Requirements wanted = with_default_lengths({}, arms_of(mixer())->frame().scale);
