@@ -280,7 +280,7 @@ void check_numbers(const PathTask& task, std::vector<Error>& found) {
     check_number(point.point.real(), "x", place_of_point(i) + ".x", found);
     check_number(point.point.imag(), "y", place_of_point(i) + ".y", found);
     if (point.input) check_angle(*point.input, "input_deg", place_of_point(i) + ".input_deg", found);
-    if (point.angle) check_angle(*point.angle, "theta_deg", place_of_point(i) + ".theta_deg", found);
+    if (point.angle) check_angle(*point.angle, "theta", place_of_point(i) + ".theta_deg", found);
     for (std::size_t m = 0; m < point.derivatives.size(); ++m) {
       const std::string here = fmt::format("{}.derivatives[{}]", place_of_point(i), m);
       check_number(point.derivatives[m].point.real(), "x", here + ".x", found);

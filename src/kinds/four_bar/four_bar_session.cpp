@@ -131,7 +131,9 @@ std::vector<double> coordinates_of(const FourBarAnswer& known, const LinkageFami
   const bool is_whole = (side == Side::input ? request.input : request.output) == MapRequest::whole;
   if (is_whole && !shown.axis.is_discrete() && lies_along_its_curve(known.given, side))
     return shown.order.samples(*known.given.curve, request.samples);
-  if (is_whole && family.axis(Side::input).layers > 0)  // as solve() has them, to the last bit
+  const bool has_linkages_to_each =
+      family.axis(Side::input).layers > 0 || family.axis(Side::output).quantity == AxisQuantity::layer;
+  if (is_whole && has_linkages_to_each)  // as solve() has them, to the last bit
     return family.samples(side, request.samples, Spacing::coordinate);
   return coordinates_of(static_cast<const Findings&>(known), family, request, shown, side);
 }
