@@ -9,6 +9,7 @@
 #include "five_point_four_bars.hpp"
 #include "given_pivot_family.hpp"
 #include "linkwright/core/angle.hpp"
+#include "linkwright/core/tolerance.hpp"
 #include "linkwright/planar/burmester_curve.hpp"
 #include "linkwright/planar/motion_task.hpp"
 #include "task_curve.hpp"
@@ -49,6 +50,14 @@ PathPlace path_place(const PathPoint& point, const WorkingFrame& frame) {
   return place;
 }
 
+std::vector<std::array<std::size_t, 2>> points_at_one_place(std::span<const PathPlace> path) {
+  std::vector<std::array<std::size_t, 2>> pairs;
+  for (std::size_t i = 0; i < path.size(); ++i)
+    for (std::size_t j = i + 1; j < path.size(); ++j)
+      if (std::abs(path[i].jet.front() - path[j].jet.front()) <= tolerance::repeated_pose) pairs.push_back({i, j});
+  return pairs;
+}
+
 }  // namespace
 
 ArmTask arm_task(const PathTask& task) {
@@ -67,7 +76,13 @@ ArmTask arm_task(const PathTask& task) {
     arms.path.back().angles.push_back(pose.pose.angle);
     for (const PoseDerivative& d : pose.derivatives) arms.path.back().angles.push_back(d.angle);
   }
+  arms.repeated = points_at_one_place(arms.path);
   return arms;
+}
+
+std::size_t ArmTask::plain_count() const {
+  return static_cast<std::size_t>(std::count_if(
+      path.begin(), path.end(), [](const PathPlace& place) { return place.known == PathPlace::Angle::none; }));
 }
 
 std::vector<Point> ArmTask::plain_places() const {

@@ -1,5 +1,7 @@
 #pragma once
 
+#include <array>
+#include <cstddef>
 #include <cstdint>
 #include <memory>
 #include <optional>
@@ -22,9 +24,11 @@ struct ArmTask {
   std::vector<PathPlace> path;    ///< working frame, its origin being the first place
   std::optional<double> sense;    ///< of the crank, where its angles tell it: 1 counter-clockwise, −1
   Side side = Side::input;        ///< of the arm
+  std::vector<std::array<std::size_t, 2>> repeated;  ///< points at one place
 
-  /// Where no angle is known.
+  /// Where no angle is known, and how many they are.
   [[nodiscard]] std::vector<Point> plain_places() const;
+  [[nodiscard]] std::size_t plain_count() const;
 };
 
 /// The frame's unit is the root of the mean square of the points' distances from their centroid. `task` without

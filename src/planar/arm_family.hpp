@@ -5,9 +5,7 @@
 #include <span>
 #include <vector>
 
-#include "arm_choice.hpp"
-#include "core/function_ref.hpp"
-#include "linkwright/region/cell_judge.hpp"
+#include "arm_solver.hpp"
 #include "path_family.hpp"
 
 namespace linkwright {
@@ -45,37 +43,19 @@ class ArmFamily : public PathFamily {
   [[nodiscard]] std::string elbows_at(MapPoint place) const override;
 
  private:
-  class Solver;
-  struct Rated;
-  struct Found;
-  struct Layer;
-
-  /// Where a linkage that is rated so is to be put; nothing where it is not wanted.
-  using Take = FunctionRef<Found*(std::size_t tag, const Rated& rated)>;
-
-  [[nodiscard]] std::size_t dyads_of_pattern() const;
-  [[nodiscard]] std::optional<Layer> layer_at(MapPoint place) const;
-  [[nodiscard]] MapPoint in_layer(MapPoint place, Layer layer) const;
-  [[nodiscard]] MapPoint without_layer(MapPoint place) const;
+  [[nodiscard]] std::optional<ArmAtPlace> arm_at(MapPoint place) const { return choice_->at(layers_.without(place)); }
   [[nodiscard]] MapPoint shown_at(const RegionMap& map, std::size_t row, std::size_t column) const;
-
-  void add_all(Solver& solver, std::size_t tag, MapPoint place, const Take& take) const;
-  void add_any(Solver& solver, std::size_t tag, MapPoint place, const Take& take) const;
-  [[nodiscard]] std::vector<std::optional<Found>> best_of(std::span<const MapPoint> places, bool respect_direction,
-                                                          Simd simd) const;
+  [[nodiscard]] std::vector<std::optional<ArmLinkage>> best_of(std::span<const MapPoint> places, bool respect_direction,
+                                                               Simd simd) const;
   [[nodiscard]] std::optional<ArmMotion> motion_at(MapPoint place) const;
-  [[nodiscard]] bool has_twice(const ArmMotion& motion) const;
   void fill(RegionMap& map, std::span<const double> input, std::span<const double> output, bool respect_direction,
             const RegionOptions& options, const Progress& progress) const override;
 
   ArmTask task_;
   std::shared_ptr<const ArmChoice> choice_;
-  std::size_t plain_count_;  ///< of points where no angle is known
-  Requirements requirements_;
-  CellJudge judge_;
-  Rank rank_;
-  bool only_in_order_;                                ///< the arm drives, and its order is required
-  std::vector<std::array<std::size_t, 2>> repeated_;  ///< points at one place
+  ArmLayers layers_;
+  bool respect_direction_;  ///< of the requirements
+  ArmWishes wishes_;
 };
 
 /// As task_family(), of a task of any form but PathForm::cranks.
