@@ -5,6 +5,7 @@
 #include <gtest/gtest.h>
 #include <random>
 
+#include "linkwright/planar/four_bar_map.hpp"
 #include "linkwright/region/region_map.hpp"
 #include "planar/task_curve.hpp"
 #include "support/planar_case.hpp"
