@@ -15,7 +15,7 @@ std::optional<DyadPair> linkage_of_cranks(const Dyad& crank, const Dyad& cognate
   const auto other_center = finite_point(cognate.center);
   const Homogeneous fixed = other_center ? Homogeneous::of(*center + (*other_center - *center) * share)
                                          : normalized(Homogeneous::at_infinity(cognate.center.vector() * share));
-  return DyadPair{{crank.center, Homogeneous::of(moving), crank.coordinate},
+  return DyadPair{{Homogeneous::of(*center), Homogeneous::of(moving), crank.coordinate},
                   {fixed, Homogeneous::of(moving + arm * share), cognate.coordinate}};
 }
 
