@@ -50,6 +50,18 @@ TEST(TimedCranks, PairsOfTheFewAreAllLinkagesOfFivePositions) {
   expect_linkages_of_case("packaging_feeder_timed_five_mixed", 2);
 }
 
+// Homogeneous coordinates are those of a point whatever their factor, and pivots are written with w = 1.
+TEST(TimedCranks, SignsOfHomogeneousCoordinatesDoNotMatter) {
+  const BurmesterPoints cranks =
+      burmester_points(pose_conditions(angled_poses(testing::path_case("stirrer_timed_five").task)));
+  const Dyad one = cranks.points[0].dyad, other = cranks.points[1].dyad;
+  const Dyad turned{-1.0 * one.center, -1.0 * one.circle, one.coordinate};
+  const auto links = linkage_of_cranks(one, other), same = linkage_of_cranks(turned, other);
+  ASSERT_TRUE(links && same);
+  for (const Dyad& link : {links->input, links->output, same->input, same->output}) EXPECT_EQ(link.center.w, 1);
+  EXPECT_EQ(farthest(*four_bar_of(*links), *four_bar_of(*same)), 0);
+}
+
 // 0, 2 or 12, never anything else: cranks are 0, 2 or 4.
 TEST(TimedCranks, FivePositionsHaveNoneTwoOrTwelveLinkages) {
   std::mt19937_64 random(5);
