@@ -1,5 +1,7 @@
 #include <algorithm>
 #include <cmath>
+#include <functional>
+#include <numeric>
 #include <optional>
 #include <tuple>
 #include <utility>
@@ -94,6 +96,21 @@ void append(std::vector<double>& row, const Displacement& there) {
   row.insert(row.end(), {turn.w(), turn.v().x, turn.v().y, turn.v().z, x, y, z});
 }
 
+/// Of q and −q each row has the one nearer to its neighbour's, position 1's the one with w > 0: so a half-turn has the
+/// sign of the motion through it, not of a last digit.
+void continue_signs(std::vector<double>& rows, std::size_t width, std::size_t position_1) {
+  const std::size_t count = rows.size() / width;
+  const auto agree = [&](std::size_t row, std::size_t with) {
+    for (std::size_t body = 1; body < width; body += 7) {
+      double *const q = &rows[row * width + body], *const p = &rows[with * width + body];
+      const double along = row == with ? q[0] : std::inner_product(q, q + 4, p, 0.0);
+      if (along < 0) std::transform(q, q + 4, q, std::negate<>());
+    }
+  };
+  for (std::size_t row = position_1; row < count; ++row) agree(row, std::max(row, position_1 + 1) - 1);
+  for (std::size_t row = position_1; row-- > 0;) agree(row, row + 1);
+}
+
 std::vector<double> travel_rows(const MovingLinkage& linkage, const DriverAngles& angles) {
   std::vector<std::pair<double, const MovingState*>> states;
   for (const MovingState& state : linkage.travel) states.emplace_back(angles.at(state.driver_turn), &state);
@@ -108,6 +125,11 @@ std::vector<double> travel_rows(const MovingLinkage& linkage, const DriverAngles
     rows.push_back(angle);
     for (std::size_t body = 1; body < state->bodies.size(); ++body) append(rows, state->bodies[body]);
   }
+  const auto nearest = std::min_element(states.begin(), states.end(), [](const auto& a, const auto& b) {
+    return std::abs(a.second->driver_turn) < std::abs(b.second->driver_turn);
+  });
+  if (!states.empty())
+    continue_signs(rows, rows.size() / states.size(), static_cast<std::size_t>(nearest - states.begin()));
   return rows;
 }
 

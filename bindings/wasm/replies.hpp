@@ -87,6 +87,7 @@ struct MachineReply {
   std::vector<std::uint32_t> triangles;  ///< three of these vertices each, part by part
   /// By rising driver angle, all states on which the plan stands: the angle (degrees, as drives have it), then of each
   /// body but the ground its displacement from position 1, a quaternion (w, x, y, z) and a translation.
+  /// The quaternion's sign runs on from row to row, from w > 0 in position 1.
   std::vector<double> travel;
 };
 /// `drive`: by which the page drives it.

@@ -5,6 +5,7 @@
 #include <gtest/gtest.h>
 #include <map>
 #include <nlohmann/json.hpp>
+#include <numeric>
 
 #include "linkwright/core/angle.hpp"
 #include "linkwright/machine/mesh.hpp"
@@ -118,6 +119,23 @@ TEST(MachineReply, HasTheDisplacementsOfAllStatesOfTheTravel) {
                     1e-9 * (1 + norm(hinge.point)));
     }
     EXPECT_EQ(replied.plan["guided"], made.linkage.bodies[static_cast<std::size_t>(made.linkage.guided)]);
+  }
+}
+
+// At a half-turn the last digit would choose between q and −q, and differ from machine to machine.
+TEST(MachineReply, HasTurnsWhoseSignRunsOn) {
+  for (const Machine& made : testing::machines()) {
+    const Replied replied(made);
+    for (std::size_t body = 0; body + 1 < replied.bodies; ++body) {
+      const auto turn = [&](std::size_t row) { return &replied.travel[row * replied.width() + 1 + 7 * body]; };
+      double greatest_w = -1;
+      for (std::size_t row = 0; row < replied.rows(); ++row) {
+        greatest_w = std::max(greatest_w, turn(row)[0]);
+        if (row == 0) continue;
+        EXPECT_GT(std::inner_product(turn(row), turn(row) + 4, turn(row - 1), 0.0), 0.5);
+      }
+      EXPECT_NEAR(greatest_w, 1, 1e-9) << made.linkage.title;  // in position 1 nothing is turned
+    }
   }
 }
 
