@@ -96,6 +96,20 @@ LINKWRIGHT_INLINE void put_directions(const PairVerdict<Width>& v, std::uint8_t*
   __builtin_memcpy(to, admissible_directions, count);
 }
 
+/// What a pack of cells has, of which `left` are still in the block.
+template <int Width, int Poses>
+LINKWRIGHT_INLINE void put_pack(const PairVerdict<Width>& v, float unit, const KernelCells& cells, std::size_t cell,
+                                int left) {
+  const auto count = static_cast<std::size_t>(left < Width ? left : Width);
+  // Three poses or more come in order one way only; two may do so both ways, and the pair has a say in it.
+  if constexpr (Poses == 2)
+    if (cells.admissible_directions) put_directions<Width>(v, cells.admissible_directions + cell, count);
+  if (count == Width)
+    put<Width>(v, unit, cells, cell);
+  else
+    put_some<Width>(v, unit, cells, cell, count);
+}
+
 /// Asks for the memory of cells that will be written soon. The machine does not see six columns, in runs of a block,
 /// coming by itself; without this, maps larger than the caches take up to half as long again.
 LINKWRIGHT_INLINE void expect(const KernelCells& cells, std::size_t cell) {
@@ -124,15 +138,7 @@ void four_bar_rows(const KernelTask& task) {
         next = distances<Width>(driver, driven, at + Width);
         expect(task.cells, cell);
         const auto verdict = pair_verdict<Width>(driver, driven, at, here, task.zero_share);
-        // Three poses or more come in order one way only; two may do so both ways, and the pair has a say in it.
-        if constexpr (Poses == 2)
-          if (task.cells.admissible_directions)
-            put_directions<Width>(verdict, task.cells.admissible_directions + cell,
-                                  static_cast<std::size_t>(count - at < Width ? count - at : Width));
-        if (at + Width <= count)
-          put<Width>(verdict, unit, task.cells, cell);
-        else
-          put_some<Width>(verdict, unit, task.cells, cell, static_cast<std::size_t>(count - at));
+        put_pack<Width, Poses>(verdict, unit, task.cells, cell, count - at);
       }
     }
   }

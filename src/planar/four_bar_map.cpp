@@ -10,38 +10,17 @@
 #include "linkwright/core/tolerance.hpp"
 #include "linkwright/mechanism/driver_sequence.hpp"
 #include "planar/four_bar_kernel.hpp"
+#include "planar/kernel_arrays.hpp"
 #include "region/pair_map.hpp"
 
 namespace linkwright {
 namespace {
-
-KernelAxis plain_arrays(const DyadAxis& axis) {
-  KernelAxis plain{axis.center_x.data(),
-                   axis.center_y.data(),
-                   axis.circle_x.data(),
-                   axis.circle_y.data(),
-                   axis.length.data(),
-                   {},
-                   {},
-                   axis.admissible_directions.data(),
-                   axis.at_least_half_turn.data()};
-  for (std::size_t j = 0; j < axis.pose_count(); ++j) {
-    plain.arm_x[j] = axis.arm_x[j].data();
-    plain.arm_y[j] = axis.arm_y[j].data();
-  }
-  return plain;
-}
 
 std::vector<double> coordinates_of(const std::vector<Dyad>& dyads) {
   std::vector<double> coordinates;
   coordinates.reserve(dyads.size());
   for (const Dyad& dyad : dyads) coordinates.push_back(dyad.coordinate);
   return coordinates;
-}
-
-KernelCells kernel_cells(const RegionMap::Cells& cells) {
-  return {cells.type,        cells.defects,     cells.measures[0],          cells.measures[1],
-          cells.measures[2], cells.measures[3], cells.admissible_directions};
 }
 
 // How the drivers of a row travel, to its cells. `directions`: of the cells, where the kernel has not set them.

@@ -5,6 +5,8 @@
 #include <fmt/format.h>
 #include <utility>
 
+#include "crank_pair_kernel.hpp"
+#include "kernel_arrays.hpp"
 #include "linkwright/core/tolerance.hpp"
 #include "linkwright/planar/path_crank.hpp"
 #include "linkwright/planar/timed_path.hpp"
@@ -23,41 +25,9 @@ std::vector<PrescribedPose> turns_of(std::span<const PrescribedPose> crank_poses
   return turns;
 }
 
-// Each of a row of vectors times its number.
-struct Numbers {
-  std::vector<double> real, imag;
-
-  void multiply(std::vector<double>& x, std::vector<double>& y) const {
-    for (std::size_t k = 0; k < real.size(); ++k) {
-      const double turned = x[k] * real[k] - y[k] * imag[k];
-      y[k] = x[k] * imag[k] + y[k] * real[k];
-      x[k] = turned;
-    }
-  }
-};
-
-// Linkages of a crank, each laid with the driver of its virtual loop from 0 to 1 in the first position: the difference
-// of the cognate's circle point and the crank's turns with the crank, and stands for it in every cell. `loops`: the
-// cognates as they are.
-void lay_loops(DyadAxis& loops, Point center, Point circle) {
-  const std::size_t count = loops.size();
-  Numbers inverse{std::vector<double>(count, 0), std::vector<double>(count, 0)};
-  for (std::size_t k = 0; k < count; ++k) {
-    const double x = loops.circle_x[k] - circle.real(), y = loops.circle_y[k] - circle.imag();
-    const double square = x * x + y * y;
-    const bool is_whole = square > 0 && loops.length[k] > 0;
-    inverse.real[k] = is_whole ? x / square : 0;
-    inverse.imag[k] = is_whole ? -y / square : 0;
-    loops.length[k] = is_whole ? loops.length[k] / std::sqrt(square) : 0;
-    loops.center_x[k] -= center.real();
-    loops.center_y[k] -= center.imag();
-  }
-  inverse.multiply(loops.center_x, loops.center_y);
-  for (std::size_t j = 0; j < loops.pose_count(); ++j) inverse.multiply(loops.arm_x[j], loops.arm_y[j]);
-  for (std::size_t k = 0; k < count; ++k) {
-    loops.circle_x[k] = loops.center_x[k] + loops.arm_x[0][k];
-    loops.circle_y[k] = loops.center_y[k] + loops.arm_y[0][k];
-  }
+// All cranks turn alike.
+DyadAxis turning_crank(std::span<const PrescribedPose> crank_poses, bool respect_direction) {
+  return DyadAxis({{Homogeneous::of(0), Homogeneous::of(1), 0}}, turns_of(crank_poses), respect_direction);
 }
 
 Notice too_few_cranks(std::size_t count) {
@@ -153,30 +123,34 @@ std::optional<AxisArcs> TimedPathFamily::arcs_within(Side side, const PivotWindo
   return AxisArcs{arcs_of_dyads(side, windows, [&](double tau) { return dyad(side, tau); }), axis(side).is_discrete()};
 }
 
-FourBarRow TimedPathFamily::row_at(const Dyad& crank, const DyadAxis& cognates, bool respect_direction) const {
-  const std::vector<PrescribedPose> turns = turns_of(working_poses_);
-  const Dyad driver{Homogeneous::of(0), Homogeneous::of(1), crank.coordinate};
-  FourBarRow row{DyadAxis({driver}, turns, respect_direction), cognates, std::vector<float>(cognates.size(), 0)};
-  const auto center = finite_point(crank.center), circle = finite_point(crank.circle);
-  if (!center || !circle || std::abs(*circle) <= tolerance::change_point) {
-    std::fill(row.output.length.begin(), row.output.length.end(), 0);  // degenerate
-    return row;
-  }
-  lay_loops(row.output, *center, *circle);
-  // The driver of each loop has length 1, and the crank that it stands for is as long as this.
-  std::fill(row.enlarge.begin(), row.enlarge.end(), static_cast<float>(std::abs(*circle)));
-  return row;
-}
-
+// No linkage has a crank without length.
 void TimedPathFamily::fill(RegionMap& map, std::span<const double> input, std::span<const double> output,
                            bool respect_direction, const RegionOptions& options, const Progress& progress) const {
-  const std::vector<Dyad> cranks = cranks_->dyads(Side::input, input);
+  DyadAxis cranks(cranks_->dyads(Side::input, input), working_poses_, respect_direction, DyadAxis::Role::driven);
   const DyadAxis cognates(cranks_->dyads(Side::output, output), working_poses_, respect_direction,
                           DyadAxis::Role::driven);
-  classify_rows(
-      map, input, output, [&](std::size_t row) { return row_at(cranks[row], cognates, respect_direction); },
-      frame().scale, options, progress);
-  map.set_diagonal(diagonal_of(cranks, cognates.dyads, same_points));
+  std::vector<double> crank_length(cranks.size(), 0);
+  for (std::size_t row = 0; row < cranks.size(); ++row) {
+    crank_length[row] = std::hypot(cranks.circle_x[row], cranks.circle_y[row]);
+    if (crank_length[row] <= tolerance::change_point) cranks.length[row] = 0;
+  }
+  const DyadAxis turning = turning_crank(working_poses_, respect_direction);
+  map.lay(input, output, planar_measures, pairs_decide_sense(turning, turning.pose_count()), options);
+  map.set_diagonal(diagonal_of(cranks.dyads, cognates.dyads, same_points));
+  for (std::size_t row = 0; row < map.rows(); ++row) map.set_driver(row, driver_travel(turning, 0));
+  const CrankPairTask task{plain_arrays(cranks),
+                           plain_arrays(cognates),
+                           crank_length.data(),
+                           turning.admissible_directions.front(),
+                           turning.at_least_half_turn.front(),
+                           0,
+                           map.rows(),
+                           map.columns(),
+                           static_cast<int>(turning.pose_count()),
+                           frame().scale,
+                           tolerance::change_point,
+                           kernel_cells(map.cells(0))};
+  run_rows(map, task, crank_pair_kernel.for_simd(options.simd), options, progress);
 }
 
 // The cranks are the dyads of a motion task.

@@ -40,7 +40,6 @@ class TimedPathFamily : public PathFamily {
   [[nodiscard]] std::optional<AxisArcs> arcs_within(Side side, const PivotWindows& windows) const override;
 
  private:
-  [[nodiscard]] FourBarRow row_at(const Dyad& crank, const DyadAxis& cognates, bool respect_direction) const;
   void fill(RegionMap& map, std::span<const double> input, std::span<const double> output, bool respect_direction,
             const RegionOptions& options, const Progress& progress) const override;
 
