@@ -62,7 +62,7 @@ class Factored {
 
 /// How closely a path is followed. Errors are shares of the unknowns' sizes.
 struct TrackLimits {
-  double predicted = 1e-4, corrected = 1e-7;  ///< step of the first and of the second Newton iteration
+  double predicted = 1e-3, corrected = 1e-6;  ///< step of the first and of the second Newton iteration
   double first_step = 0.02, longest_step = 0.2, shortest_step = 1e-9;
   double largest = 1e7;  ///< of an unknown; beyond it a solution is on its way to infinity
   int most_steps = 2000;
@@ -77,21 +77,23 @@ template <std::size_t N>
   return std::sqrt(largest);
 }
 
-/// A Newton iteration at a t: the unknowns after it and how they move with t from there, by the derivatives before it.
+/// A Newton iteration at a t: the unknowns after it.
 template <std::size_t N>
 struct NewtonStep {
-  ComplexVector<N> unknowns, tangent;
+  ComplexVector<N> unknowns;
   double size = 0;  ///< relative_step(), NaN where the derivatives are singular
+  Factored<N> factored;
 
-  NewtonStep(ComplexVector<N> from, const SystemAt<N>& at) : unknowns(from) {
-    const Factored<N> factored(at.by_unknown);
+  NewtonStep(ComplexVector<N> from, const SystemAt<N>& at) : unknowns(from), factored(at.by_unknown) {
     const ComplexVector<N> step = factored.solve(at.value);
-    tangent = factored.solve(at.by_t);
-    for (std::size_t i = 0; i < N; ++i) {
-      unknowns[i] -= step[i];
-      tangent[i] = -tangent[i];
-    }
+    for (std::size_t i = 0; i < N; ++i) unknowns[i] -= step[i];
     size = relative_step(step, unknowns);
+  }
+  /// How they move with t, by the derivatives before it.
+  [[nodiscard]] ComplexVector<N> tangent(const SystemAt<N>& at) const {
+    ComplexVector<N> tangent = factored.solve(at.by_t);
+    for (Point& z : tangent) z = -z;
+    return tangent;
   }
 };
 
@@ -122,30 +124,37 @@ template <std::size_t N>
   return found;
 }
 
+/// Where a second Newton iteration ends; nothing where it moves too far or too large a number. A step that does not move
+/// it is a singular system's, not a success: derivatives that overflow invert to 0.
+template <std::size_t N>
+[[nodiscard]] std::optional<FollowedTo<N>> corrected(const NewtonStep<N>& once, const SystemAt<N>& at, double t,
+                                                     const TrackLimits& limits) {
+  const NewtonStep<N> twice(once.unknowns, at);
+  const bool is_taken = twice.size < limits.corrected && once.size + twice.size > 0 &&
+                        std::all_of(twice.unknowns.begin(), twice.unknowns.end(),
+                                    [&](Point z) { return std::norm(z) < limits.largest * limits.largest; });
+  if (!is_taken) return std::nullopt;
+  return FollowedTo<N>{t, twice.unknowns, twice.tangent(at)};
+}
+
 /// The solution at t = 1 of a path that begins in `start` at t = 0. `system(unknowns, t)`: a SystemAt. Nothing where it
-/// runs to infinity, or where it could not be followed. A step that does not move it is a singular system's, not a
-/// success: derivatives that overflow invert to 0.
+/// runs to infinity, or where it could not be followed.
 template <std::size_t N, class System>
 [[nodiscard]] std::optional<ComplexVector<N>> followed(const ComplexVector<N>& start, const System& system,
                                                        const TrackLimits& limits = {}) {
-  const NewtonStep<N> first(start, system(start, 0.0));
-  FollowedTo<N> last{0, first.unknowns, first.tangent};
+  const SystemAt<N> at_start = system(start, 0.0);
+  const NewtonStep<N> first(start, at_start);
+  FollowedTo<N> last{0, first.unknowns, first.tangent(at_start)};
   std::optional<FollowedTo<N>> before;
   double step = limits.first_step;
   for (int i = 0; i < limits.most_steps && last.t < 1; ++i) {
     const double t = std::min(1.0, last.t + step);
     const ComplexVector<N> guess = predicted(last, before, t);
     const NewtonStep<N> once(guess, system(guess, t));
-    const bool is_near = once.size < 10 * limits.predicted;
-    const std::optional<NewtonStep<N>> twice =
-        is_near ? std::optional(NewtonStep<N>(once.unknowns, system(once.unknowns, t))) : std::nullopt;
-    const bool is_taken = twice && twice->size < limits.corrected && once.size + twice->size > 0 &&
-                          std::all_of(twice->unknowns.begin(), twice->unknowns.end(),
-                                      [&](Point z) { return std::norm(z) < limits.largest * limits.largest; });
+    auto next = once.size < 10 * limits.predicted ? corrected(once, system(once.unknowns, t), t, limits) : std::nullopt;
     const double fit = 0.85 * std::pow(std::max(once.size, 1e-12) / limits.predicted, -0.25);
-    if (is_taken) {
-      before = last;
-      last = {t, twice->unknowns, twice->tangent};
+    if (next) {
+      before = std::exchange(last, *next);
       step = std::min(limits.longest_step, step * std::clamp(fit, 0.3, 2.5));
     } else {
       step *= std::isfinite(fit) ? std::clamp(fit, 0.1, 0.5) : 0.5;

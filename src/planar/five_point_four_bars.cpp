@@ -6,6 +6,7 @@
 #include <utility>
 
 #include "linkwright/core/angle.hpp"
+#include "linkwright/core/parallel.hpp"
 
 namespace linkwright {
 namespace {
@@ -129,8 +130,11 @@ void add_ends(const Task& task, double way, const TrackLimits& limits, std::vect
   const Point factor = direction(way), of_conjugates = direction(2.3 * way + 1);
   const FivePointStart& start = five_point_start();
   const FivePointSystem system{start.task, turned(task, factor, of_conjugates)}, straight{task, task};
-  for (const Unknowns& begin : start.solutions) {
-    auto end = followed(begin, system, limits);
+  std::vector<std::optional<Unknowns>> reached(start.solutions.size());
+  parallel_for(reached.size(), 0, [&](std::size_t first, std::size_t last) {
+    for (std::size_t i = first; i < last; ++i) reached[i] = followed(start.solutions[i], system, limits);
+  });
+  for (std::optional<Unknowns>& end : reached) {
     if (!end) continue;
     for (std::size_t i = 0; i < size; ++i) (*end)[i] /= i % 2 == 0 ? factor : of_conjugates;
     if (polish(*end, straight, 1) > same_solution || !is_four_bar(*end, task)) continue;
