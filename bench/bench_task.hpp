@@ -35,6 +35,10 @@ struct SampledTask {
 /// A linkage in four positions, its tolerances, and how far its samples are off in each as JSON, for the peer.
 [[nodiscard]] std::string dump_tolerances(int samples);
 
+/// Of the dough mixer the points, the pivot and, by places evenly over its map, how many linkages meet the points in
+/// order; of the walking leg the points, the pivots and the real four-bars between them: as JSON, for the peers.
+[[nodiscard]] std::string dump_path(int samples);
+
 /// Random tasks of five poses and their Burmester points (circle, centre; working frame) as JSON, for PHCpack.
 [[nodiscard]] std::string dump_five(int count);
 

@@ -85,5 +85,46 @@ BENCHMARK_CAPTURE(map_of_path, pivots_of_feeder, "feeder_three_poses_two_points"
     ->Unit(benchmark::kMillisecond);
 BENCHMARK(between_pivots)->Unit(benchmark::kMillisecond);
 
+nlohmann::json json_of(Point point) { return {point.real(), point.imag()}; }
+
+nlohmann::json points_of(const PathTask& task) {
+  auto points = nlohmann::json::array();
+  for (const PathPoint& point : task.points) points.push_back(json_of(point.point));
+  return points;
+}
+
+nlohmann::json arms_of_mixer(int samples) {
+  const PathTask task = path_named("dough_mixer_five_points");
+  const TaskFamily given = task_family(task, Requirements{}, Objective::min_transmission_angle);
+  nlohmann::json places = nlohmann::json::array(), counts = places;
+  for (const double u : given.family->samples(Side::input, samples, Spacing::coordinate))
+    for (const double v : given.family->samples(Side::output, samples, Spacing::coordinate)) {
+      places.push_back({u, given.family->axis_value(Side::output, v)});
+      counts.push_back(given.paths->all_at({u, v}, true).size());
+    }
+  return {{"points", points_of(task)}, {"pivot", json_of(*task.pivots.input)}, {"places", places}, {"counts", counts}};
+}
+
+nlohmann::json leg_between_pivots() {
+  const PathTask task = path_named("walking_leg_pivots_five");
+  std::array<Point, 5> places;
+  for (std::size_t j = 0; j < places.size(); ++j) places[j] = task.points[j].point;
+  auto real = nlohmann::json::array();
+  for (const auto& found : five_point_four_bars(places, *task.pivots.input, *task.pivots.output).real)
+    real.push_back({json_of(found.bars.input_moving), json_of(found.bars.output_moving)});
+  return {{"points", points_of(task)},
+          {"pivots", {json_of(*task.pivots.input), json_of(*task.pivots.output)}},
+          {"real", real}};
+}
+
 }  // namespace
 }  // namespace linkwright::bench::path_bench
+
+namespace linkwright::bench {
+
+std::string dump_path(int samples) {
+  return nlohmann::json{{"arms", path_bench::arms_of_mixer(samples)}, {"between", path_bench::leg_between_pivots()}}
+      .dump();
+}
+
+}  // namespace linkwright::bench

@@ -1,5 +1,5 @@
 #!/usr/bin/python3
-"""Linkwright's region kernels and maps of straight lines beside numpy, the page's engine beside the native one, and the
+"""Linkwright's region kernels, maps of straight lines and of paths beside numpy, the page's engine beside the native one, and the
 dyads of five poses and of five orientations beside PHCpack, in one run: script/bench calls this.
 
 The two take turns, so that what else the machine does hits both; a ratio within a run counts, an absolute figure does
@@ -16,7 +16,8 @@ import statistics
 import subprocess
 import sys
 
-from peers import burmester_phc, five_orientations_phc, phc, region_numpy, sphere_numpy, straight_line_numpy, tolerances_numpy
+from peers import (burmester_phc, five_orientations_phc, path_numpy, path_phc, phc, region_numpy, sphere_numpy,
+                   straight_line_numpy, tolerances_numpy)
 
 TASKS = ("landing_gear", "drawer_hinge", "tailgate")
 
@@ -212,6 +213,35 @@ def print_tolerance_figures(figures):
             print(f"  {name:<52}{value:9.1f}")
 
 
+def path_figures(bench, rounds):
+    """Maps of paths, and numpy in turns: nanoseconds of the processor a cell. Four-bars between two pivots, and PHCpack:
+    milliseconds of the processor."""
+    dump = json.loads(subprocess.run([bench, "--dump-path", "60"], check=True, capture_output=True, text=True).stdout)
+    beside, between = {"numpy": []}, []
+    for _ in range(rounds):
+        for name, entry in run_benchmarks(bench, "^map_of_(path|its_poses)").items():
+            beside.setdefault(name, []).append(entry["ns_per_task"])
+        between.append(next(iter(run_benchmarks(bench, "^between_pivots").values()))["cpu_time"])
+        taken, differ = path_numpy.measure(dump["arms"], 1)
+        beside["numpy"] += taken
+    return {"ns_per_cell": {contender: summary(values) for contender, values in beside.items()},
+            "places_whose_counts_differ": differ,
+            "between_pivots_ms": summary(between),
+            "between_pivots_phc": path_phc.measure(dump["between"]) if phc.is_installed() else None}
+
+
+def print_path_figures(figures):
+    table = figures["ns_per_cell"]
+    arms = table["map_of_path/arms_of_mixer"]["min"]
+    print_table("paths: ns of the processor a cell, median, min, max; min over that of the mixer's arms",
+                [(contender, s, s["min"] / arms) for contender, s in table.items()])
+    print(f"  numpy's numbers of linkages differ at {100 * figures['places_whose_counts_differ']:.2f} % of the places")
+    ours, theirs = figures["between_pivots_ms"]["min"], figures["between_pivots_phc"]
+    print(f"  five points and both pivots: {ours:.2f} ms")
+    if theirs:
+        print(f"  phc -b: {min(theirs['ms']):.0f} ms, {min(theirs['ms']) / ours:.0f}×; real ones differ by {theirs['worst_difference']:.1e}")
+
+
 def main(arguments):
     options, rest = parse(arguments)
     if rest:
@@ -244,7 +274,10 @@ def main(arguments):
     print_line_figures(lines)
     tolerances = tolerance_figures(options.bench, options.rounds)
     print_tolerance_figures(tolerances)
+    paths = path_figures(options.bench, options.rounds)
+    print_path_figures(paths)
     five = {
+        "paths": paths,
         "sphere": sphere,
         "straight_lines": lines,
         "tolerances": tolerances,

@@ -124,8 +124,8 @@ template <std::size_t N>
   return found;
 }
 
-/// Where a second Newton iteration ends; nothing where it moves too far or too large a number. A step that does not move
-/// it is a singular system's, not a success: derivatives that overflow invert to 0.
+/// Where a second Newton iteration ends; nothing where it moves too far or too large a number. A step that does not
+/// move it is a singular system's, not a success: derivatives that overflow invert to 0.
 template <std::size_t N>
 [[nodiscard]] std::optional<FollowedTo<N>> corrected(const NewtonStep<N>& once, const SystemAt<N>& at, double t,
                                                      const TrackLimits& limits) {

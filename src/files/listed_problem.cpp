@@ -47,6 +47,13 @@ std::optional<Json> place_of_line(const Json& linkage, Json& task) {
   return linkage["place"];
 }
 
+// A ground pivot that was searched for is given then.
+void keep_pivot(const Json& linkage, Json& task) {
+  const Json input = linkage.value("input", Json());
+  if (!task.contains("kind") || task["kind"] != "path" || task.contains("given") || !input.is_object()) return;
+  task["given"] = {{"ground_pivots", {{"input", input.value("center_point", Json())}}}};
+}
+
 // Of a six-bar's second link the map may have the share of its curve.
 void put_on_map(Problem& problem) {
   const auto* task = std::get_if<SixBarTask>(&problem.task);
@@ -96,7 +103,7 @@ Result<ListedProblem> read_listed_problem(std::string_view text, int linkage) {
   if (!place) place = place_of_line(element, task);
   if (!place) return no_place();
   problem["options"]["at"] = *place;
-  problem["options"].erase("box");
+  if (problem["options"].erase("box") > 0) keep_pivot(element, task);
   auto read = read_problem(problem.dump());
   if (!read) return read.errors();
   put_on_map(*read);

@@ -56,11 +56,16 @@ void of_lines(FieldVisitor& v, LineMeasuring& line, bool is_written) {
 
 void of_searches(FieldVisitor& v, SynthesisOptions& options) {
   const SynthesisOptions usual;
-  v.optional(Field("box", "Six-bars without a chain: where all pivots lie in position 1."), options.box);
-  v.optional(Field("seed", "Of the chains tried.").written(options.seed != usual.seed), options.seed,
+  v.optional(
+      Field(
+          "box",
+          "Six-bars without a chain: where all pivots lie in position 1. Paths of five points and nothing else given: "
+          "where the input's ground pivot is searched for."),
+      options.box);
+  v.optional(Field("seed", "Of the chains, or places, tried.").written(options.seed != usual.seed), options.seed,
              Whole{0, SynthesisOptions::max_seed});
-  v.optional(Field("effort", "How many chains are tried.").written(options.effort != usual.effort), options.effort,
-             Whole{1, SynthesisOptions::max_effort});
+  v.optional(Field("effort", "How many chains, or arms of a path, are tried.").written(options.effort != usual.effort),
+             options.effort, Whole{1, SynthesisOptions::max_effort});
 }
 
 void of_places(FieldVisitor& v, SynthesisOptions& options) {

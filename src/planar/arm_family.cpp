@@ -15,13 +15,6 @@
 namespace linkwright {
 namespace {
 
-constexpr auto arm_measures = [] {
-  std::array<Measure, planar_measures.size() + 1> all{};
-  std::copy(planar_measures.begin(), planar_measures.end(), all.begin());
-  all.back() = measures::layer;
-  return all;
-}();
-
 MapAxis with_layers(MapAxis axis, int layers) {
   axis.layers = layers;
   return axis;

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <algorithm>
 #include <array>
 #include <cstddef>
 #include <cstdint>
@@ -10,10 +11,19 @@
 #include "core/function_ref.hpp"
 #include "further_dyads.hpp"
 #include "linkwright/planar/four_bar_family.hpp"
+#include "linkwright/planar/four_bar_map.hpp"
 #include "linkwright/region/cell_judge.hpp"
 #include "linkwright/region/objective.hpp"
 
 namespace linkwright {
+
+/// What maps hold whose places have several linkages: which one is shown, too.
+inline constexpr auto arm_measures = [] {
+  std::array<Measure, planar_measures.size() + 1> all{};
+  std::copy(planar_measures.begin(), planar_measures.end(), all.begin());
+  all.back() = measures::layer;
+  return all;
+}();
 
 /// What decides which of several linkages at a place is shown: those that meet the requirements, then those without
 /// defects, then the better score.

@@ -8,6 +8,7 @@
 #include "core/number_check.hpp"
 #include "linkwright/core/angle.hpp"
 #include "linkwright/core/tolerance.hpp"
+#include "linkwright/planar/six_bar_task.hpp"
 
 namespace linkwright {
 namespace {
@@ -68,15 +69,15 @@ void check_count_for_pivot(const PathTask& task, std::vector<Error>& found) {
   if (count == wanted) return;
   found.push_back({count < wanted ? "too_few_points_for_pivot" : "too_many_points_for_pivot",
                    "task.points",
-                   fmt::format("{}, and one ground pivot that is given goes with five; {} {} (a direction of travel at "
-                               "a point, \"derivatives\", counts as one more)",
+                   fmt::format("{}, and one ground pivot, given or searched for, goes with five; {} {} (a direction of "
+                               "travel at a point, \"derivatives\", counts as one more)",
                                count_words(task, count), count < wanted ? "add" : "remove", change),
                    {{"count", count}, {"change", change}}});
 }
 
 void check_count_for_pivots(const PathTask& task, std::vector<Error>& found) {
   const int count = position_count(task.points);
-  if (task.pivots.count() == 1) return check_count_for_pivot(task, found);
+  if (task.pivots.count() < 2) return check_count_for_pivot(task, found);
   if (count == 3 || count == 5) return;
   const int change = count < 3 ? 3 - count : count == 4 ? 1 : count - 5;
   found.push_back(
@@ -170,11 +171,21 @@ void check_repetitions(const PathTask& task, std::vector<Error>& found) {
 }
 
 void check_something_is_given(const PathTask& task, std::vector<Error>& found) {
-  if (task.pivots.count() == 0)
+  if (task.pivots.count() == 0 && !task.box)
     found.push_back({"path_leaves_too_much", "task.points",
                      "points alone leave too much open; give the angle of the crank at every point (\"input_deg\"), or "
                      "a ground pivot (\"given\": {\"ground_pivots\": {\"input\": [x, y]}}) with five points, or both "
-                     "ground pivots with three or five"});
+                     "ground pivots with three or five, or a box in which the pivot is searched for (\"box\" of the "
+                     "options) with five points"});
+}
+
+void check_box(const PathTask& task, std::vector<Error>& found) {
+  if (!task.box) return;
+  if (task.pivots.count() > 0 || task.angled_count() > 0)
+    return found.push_back({"box_of_path", "options.box",
+                            "a ground pivot is searched for in a box where five points are given and nothing else; "
+                            "leave the box out, or the pivots and the angles"});
+  for (Error& mistake : mistakes_in_search_box(*task.box)) found.push_back(std::move(mistake));
 }
 
 // Of one link alone, and not of all points of the coupler: that is a motion task.
@@ -461,9 +472,9 @@ void check_counts(const PathTask& task, std::vector<Error>& found) {
 
 std::vector<Error> mistakes_in(const PathTask& task) {
   using Check = void (*)(const PathTask&, std::vector<Error>&);
-  constexpr std::array<Check, 10> checks = {check_numbers,      check_kinds_of_angles, check_counts, check_pivots,
-                                            check_equal_angles, check_sequence,        check_rates,  check_directions,
-                                            check_same_poses,   check_repetitions};
+  constexpr std::array<Check, 11> checks = {check_numbers,    check_kinds_of_angles, check_counts,     check_box,
+                                            check_pivots,     check_equal_angles,    check_sequence,   check_rates,
+                                            check_directions, check_same_poses,      check_repetitions};
   std::vector<Error> found;
   for (const auto check : checks)
     if (found.empty()) check(task, found);

@@ -60,11 +60,6 @@ struct SixBarProspect {
 
 [[nodiscard]] double score_of(Objective objective, const SixBarRating& rating);
 
-/// A number in [low, high): the standard distributions differ from machine to machine.
-[[nodiscard]] inline double uniform(std::mt19937_64& random, double low, double high) {
-  return low + (high - low) * std::ldexp(static_cast<double>(random() >> 11), -53);
-}
-
 /// Better first; ties by the coordinates.
 [[nodiscard]] bool is_better(const SixBarProspect& a, const SixBarProspect& b);
 

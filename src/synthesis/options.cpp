@@ -39,7 +39,7 @@ std::vector<Error> mistakes_in(const SynthesisOptions& options) {
   if (options.effort < 1 || options.effort > SynthesisOptions::max_effort)
     found.push_back({"effort_range",
                      "options.effort",
-                     fmt::format("the number of chains to try lies between 1 and {}; {} is usual",
+                     fmt::format("the number of chains or arms to try lies between 1 and {}; {} is usual",
                                  SynthesisOptions::max_effort, SynthesisOptions{}.effort),
                      {{"most", SynthesisOptions::max_effort}, {"usual", SynthesisOptions{}.effort}}});
   const auto check_length = [&](const std::optional<double>& length, const char* place) {

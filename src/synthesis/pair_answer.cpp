@@ -1,6 +1,7 @@
 #include "pair_answer.hpp"
 
 #include <algorithm>
+#include <fmt/format.h>
 #include <optional>
 #include <utility>
 #include <vector>
@@ -8,6 +9,7 @@
 #include "analyses/analyses.hpp"
 #include "function/generator_search.hpp"
 #include "linkage_search.hpp"
+#include "linkwright/core/count_text.hpp"
 #include "linkwright/core/tolerance.hpp"
 #include "linkwright/region/cell_judge.hpp"
 #include "linkwright/spherical/spherical_task_family.hpp"
@@ -16,6 +18,7 @@
 #include "planar/function_family.hpp"
 #include "planar/path_drive.hpp"
 #include "planar/path_family.hpp"
+#include "planar/pivot_search.hpp"
 #include "reason.hpp"
 #include "region_count.hpp"
 #include "spherical/spherical_function_family.hpp"
@@ -258,6 +261,31 @@ Result<Answer> generators(KindAnswer answer, const TaskWords& words, const Progr
   return Answer(std::move(answer));
 }
 
+Notice about_search(const PivotSearchResult& found) {
+  const auto [x, y] = std::pair(found.pivot.real(), found.pivot.imag());
+  const std::string looked_at =
+      fmt::format("{} places in the box, with {} arms", grouped_text(found.places), grouped_text(found.arms));
+  Notice notice{
+      "pivot_searched",
+      fmt::format("The input's ground pivot was searched for: of {} the best, moved to where small steps find "
+                  "nothing better, is ({:.6g}, {:.6g}). Everything below is of this place, and complete "
+                  "there; other places may have better linkages. Give it as ground pivot to keep it.",
+                  looked_at, x, y),
+      {{"x", x},
+       {"y", y},
+       {"places", static_cast<double>(found.places)},
+       {"arms", static_cast<double>(found.arms)},
+       {"meeting", static_cast<double>(found.meeting)}}};
+  if (found.meets) return notice;
+  notice.code = "pivot_not_found";
+  notice.message = fmt::format(
+      "The input's ground pivot was searched for: of {} none has a linkage that meets all "
+      "requirements, which proves nothing of the others. Everything below is of ({:.6g}, "
+      "{:.6g}), which comes close. Enlarge the box, or look at more (\"effort\").",
+      looked_at, x, y);
+  return notice;
+}
+
 // The way from one share of `progress`, which must outlive it, to another.
 Progress part_of(const Progress& progress, double from, double to) {
   return {[&progress, from, to](double done) { progress(from + (to - from) * done); }, progress.cancelled};
@@ -300,8 +328,20 @@ FunctionAnswer begin_answer(const FunctionTask& task, const Requirements& requir
   return begin_pairs<FunctionAnswer>(task, task_family(task), requirements, options);
 }
 PathAnswer begin_answer(const PathTask& task, const Requirements& requirements, const SynthesisOptions& options,
-                        const Progress& /*progress*/) {
-  return begin_pairs<PathAnswer>(task, task_family(task, requirements, options.objective), requirements, options);
+                        const Progress& progress) {
+  if (!task.seeks_pivot())
+    return begin_pairs<PathAnswer>(task, task_family(task, requirements, options.objective), requirements, options);
+  const PivotSearchResult found =
+      search_for_pivot(task,
+                       {requirements, options.objective, static_cast<std::uint64_t>(options.seed), options.effort,
+                        options.region.threads, options.region.simd},
+                       {{}, progress.cancelled});
+  PathTask settled = task;
+  settled.pivots.input = found.pivot;
+  PathAnswer answer =
+      begin_pairs<PathAnswer>(settled, task_family(settled, requirements, options.objective), requirements, options);
+  answer.warnings.push_back(about_search(found));
+  return answer;
 }
 SphericalMotionAnswer begin_answer(const SphericalMotionTask& task, const Requirements& requirements,
                                    const SynthesisOptions& options, const Progress& /*progress*/) {

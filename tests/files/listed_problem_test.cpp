@@ -58,6 +58,23 @@ INSTANTIATE_TEST_SUITE_P(Examples, EachKindOfResult,
                                            "thread_take_up", "walking_leg_path", "packaging_feeder",
                                            "garage_door_point"));
 
+TEST(ListedProblem, KeepsAPivotThatWasSearchedFor) {
+  Problem problem = testing::example("dough_mixer.json", 60);
+  std::get<PathTask>(problem.task).pivots = {};
+  std::get<PathTask>(problem.task).box = problem.options.box = Box{-100, 200, -50, 300};
+  problem.options.effort = 2000;
+  const auto answer = solve(problem);
+  ASSERT_TRUE(answer.ok());
+  const std::string result = write_result(problem, *answer, false);
+  const json first = json::parse(result)["linkages"].at(0);
+  const auto asked = read_listed_problem(result, 1);
+  ASSERT_TRUE(asked.ok()) << asked.errors().front().message;
+  EXPECT_FALSE(asked->problem.options.box);
+  const auto again = solve(asked->problem);
+  ASSERT_TRUE(again.ok()) << again.errors().front().message;
+  EXPECT_EQ(json::parse(write_result(asked->problem, *again, false))["linkages"].at(0)["lengths"], first["lengths"]);
+}
+
 TEST(ListedProblem, RefusesWhatIsNoResultAndNumbersBeyond) {
   const testing::Solved& sine = testing::function();
   const std::string result = write_result(sine.problem, sine.answer, false);

@@ -9,6 +9,7 @@
 #include "linkwright/mechanism/linkage_output.hpp"
 #include "linkwright/mechanism/pose.hpp"
 #include "linkwright/region/linkage_class.hpp"
+#include "linkwright/region/requirements.hpp"
 
 namespace linkwright {
 
@@ -71,22 +72,26 @@ struct PathTask {
 
   std::vector<PathPoint> points;
   GroundPivots pivots;
+  std::optional<Box> box;  ///< of five plain positions: where the input's ground pivot is searched for, user's unit
 
   [[nodiscard]] PathTiming timing() const;
   /// The crank's angle is given at all points.
   [[nodiscard]] bool is_timed() const { return timing() == PathTiming::all; }
   /// Positions with an angle of the crank or of the coupler.
   [[nodiscard]] int angled_count() const;
-  /// Of a task without mistakes.
+  /// Of a task without mistakes, whose ground pivot has been found where it is searched for.
   [[nodiscard]] PathForm form() const;
+  /// The input's ground pivot is searched for.
+  [[nodiscard]] bool seeks_pivot() const { return box && pivots.count() == 0; }
 
   friend bool operator==(const PathTask&, const PathTask&) = default;
 };
 
 /// The caller's mistakes: number of positions, nothing that is given beside points, angles of both links, numbers that
 /// are not finite or too large, a crank that stands or turns back at a derivative, equal angles, angles that do not go
-/// one way within one turn, points at pivots, pivots at one place. Places are `task.points[i]…` (i from 0) and
-/// `task.given.ground_pivots…`. Empty when the task can be solved.
+/// one way within one turn, points at pivots, pivots at one place, a box that is empty or where nothing is searched
+/// for. Places are `task.points[i]…` (i from 0), `task.given.ground_pivots…` and `options.box`. Empty when the task can
+/// be solved.
 [[nodiscard]] std::vector<Error> mistakes_in(const PathTask& task);
 
 /// In which sense the crank of a task without mistakes turns that gives its angle somewhere: 1 counter-clockwise,

@@ -32,10 +32,10 @@ struct SynthesisOptions {
   /// the best.
   std::optional<MapPoint> at;
 
-  // Six-bars without a given chain, which is searched for.
-  std::optional<Box> box;       ///< for all pivots in position 1, user's unit
-  int seed = 1;                 ///< of the chains tried, ≥ 0
-  int effort = default_effort;  ///< how many chains are tried, ≥ 1
+  // Six-bars without a given chain, which is searched for; paths of five points whose ground pivot is.
+  std::optional<Box> box;       ///< for all pivots in position 1, or for that pivot; user's unit
+  int seed = 1;                 ///< of the chains or arms tried, ≥ 0
+  int effort = default_effort;  ///< how many of them are tried, ≥ 1
 
   LineMeasuring line;  ///< of straight lines
 

@@ -80,15 +80,16 @@ void fields(FieldVisitor& v, PathTask& task) {
   const Object described = {
       "path_task",
       "Path generation: a point of the coupler passes places in this order: four or five at given angles of the crank; "
-      "three with angles of crank or coupler and two without, or four and one; or from given ground pivots. A point "
-      "counts as one position, and as one more for each of its derivatives.",
+      "three with angles of crank or coupler and two without, or four and one; or from given ground pivots, or from "
+      "one "
+      "that is searched for in options.box. A point counts as one position, and as one more for each of its "
+      "derivatives.",
       true};
   v.object(described, [&](FieldVisitor& to) {
     to.constant("kind", "path");
     to.constant("mechanism", "four_bar");
     to.required(Field("points").missing(missing), task.points, points);
     given_field(to, task.pivots);
-    to.check([&] { return mistakes_in(task); });
   });
 }
 

@@ -338,7 +338,7 @@ export interface PathGroundPivots {
 export interface PathGiven {
   ground_pivots: PathGroundPivots;
 }
-/** Path generation: a point of the coupler passes places in this order: four or five at given angles of the crank; three with angles of crank or coupler and two without, or four and one; or from given ground pivots. A point counts as one position, and as one more for each of its derivatives. */
+/** Path generation: a point of the coupler passes places in this order: four or five at given angles of the crank; three with angles of crank or coupler and two without, or four and one; or from given ground pivots, or from one that is searched for in options.box. A point counts as one position, and as one more for each of its derivatives. */
 export interface PathTask {
   kind: "path";
   mechanism: "four_bar";
@@ -456,11 +456,11 @@ export interface Options {
   stroke?: number | null;
   /** Straight lines: usable by the line itself, or by the best strip beside it. */
   measure?: "tangent" | "strip";
-  /** Six-bars without a chain: where all pivots lie in position 1. */
+  /** Six-bars without a chain: where all pivots lie in position 1. Paths of five points and nothing else given: where the input's ground pivot is searched for. */
   box?: Box | null;
-  /** Of the chains tried. */
+  /** Of the chains, or places, tried. */
   seed?: number;
-  /** How many chains are tried. */
+  /** How many chains, or arms of a path, are tried. */
   effort?: number;
   /** The part of the region to sample: [[low, high], [low, high]] of the curve coordinates of input and output. */
   window?: readonly [readonly [number, number], readonly [number, number]] | null;

@@ -195,6 +195,23 @@ describe("about a given pivot", () => {
     await until(() => faults() === "");
   });
 
+  test("a place for it is looked for, given with its best linkage, and taken back", async () => {
+    await click("path.seek_pivot");
+    await until(() => is_there("path.sought"));
+    expect(text("path.sought")).toContain("220000 arms");
+    const [x, y] = pivots_of(task()).input!;
+    expect([x, y]).not.toEqual([40, 90]);
+    await until_settled();
+    expect(workbench.hand!.input.center![0]).toBeCloseTo(x, 6);
+    expect(workbench.hand!.fails).toBe(0);
+    expect(Math.max(Math.abs(x - 50), Math.abs(y - 50))).toBeLessThan(350); // the box required
+    await press("Control+z");
+    await until_settled();
+    expect(pivots_of(task()).input).toEqual([40, 90]);
+    await click("path.pivot_of_output");
+    expect(is_there("path.seek")).toBe(false);
+  });
+
   test("a direction counts as one more, and has no rate of the crank", async () => {
     await click("path.remove.5");
     expect(text("task.missing")).toContain("1 is missing");
@@ -210,7 +227,7 @@ describe("about a given pivot", () => {
   test("it speaks Chinese", async () => {
     await click("view.language");
     await until(() => /\p{Script=Han}/u.test(text("path.layers")));
-    for (const part of ["path.layers", "path.given_pivots", "path.pivot_of_output", "path.click"])
+    for (const part of ["path.layers", "path.seek_pivot", "path.given_pivots", "path.pivot_of_output", "path.click"])
       expect(text(part)).not.toMatch(/[a-z]{3}/i);
   });
 });

@@ -1,6 +1,6 @@
 // The points of a path task, their angles and what is given beside them, as they are edited.
 import type {Linkage, Point, Side} from "../../contract/messages";
-import {round_step, with_task, type Problem} from "../../state/problem";
+import {round_step, with_options, with_task, type Problem} from "../../state/problem";
 import {diagonal_of} from "../../state/task";
 import {multiple} from "../../drawing/snapping";
 import {without_unmet} from "../kind_dispatch";
@@ -17,7 +17,9 @@ export function points_of(problem: Problem): readonly PathPoint[] {
 }
 function changed(problem: Problem, change: (task: PathTask) => PathTask): Problem {
   const task = path_task(problem);
-  return task ? without_unmet(with_task(problem, change(task))) : problem;
+  if (!task) return problem;
+  const edited = without_unmet(with_task(problem, change(task)));
+  return problem.options?.box && edited.task !== task ? with_options(edited, {box: undefined}) : edited; // of a file
 }
 export function with_points(problem: Problem, change: (points: readonly PathPoint[]) => readonly PathPoint[]): Problem {
   return changed(problem, (task) => ({...task, points: change(task.points)}));
