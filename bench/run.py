@@ -68,7 +68,7 @@ def processor():
 def print_table(title, rows):
     print(f"\n{title}")
     for label, s, ratio in rows:
-        print(f"  {label:<24}{s['median']:8.2f}{s['min']:8.2f}{s['max']:8.2f}{ratio:9.1f}×")
+        print(f"  {label:<24}{s['median']:10.2f}{s['min']:10.2f}{s['max']:10.2f}{ratio:9.1f}×")
 
 
 def contender_tables(table):

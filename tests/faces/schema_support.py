@@ -143,6 +143,9 @@ def problems_with_everything():
             task["points"][0]["derivatives"] = []
         yield name, problem(task)
     timed = [{"x": x, "y": y, "input_deg": turn} for x, y, turn in ((0, 9.5, 0), (0.1, 3.2, 35), (0, -9.5, 105))]
+    yield "path in a box", problem({"kind": "path", "mechanism": "four_bar", "points": [
+        {"x": x, "y": y} for x, y in ((0, 0), (95, 40), (150, 140), (60, 230), (-70, 190))]},
+        {"box": {"x": [-300, 400], "y": [-300, 400]}, "effort": 1, "seed": 1})
     yield "timed about a pivot", problem({"kind": "path", "mechanism": "four_bar", "points": timed,
                                           "given": {"ground_pivots": {"input": [40, 0]}}})
     chain = task_of("loader_bucket_chain")

@@ -22,7 +22,7 @@ BEYOND_SCHEMA = {"repeated_pose", "repeated_pose_a_turn_later", "transmission_an
                  "range_outside_of_table", "dial_of_two_turns", "table_out_of_order", "spacing_of_other_count",
                  "spacing_out_of_order", "spacing_outside_of_range",
                  "chain_that_cannot_reach", "chain_with_no_first_link", "chain_without_elbow", "elbow_other_than_drawn",
-                 "search_box_of_nothing", "requirements_of_the_sphere", "spherical_function_link_ratio",
+                 "search_box_of_nothing", "path_in_a_box_of_nothing", "requirements_of_the_sphere", "spherical_function_link_ratio",
                  "spherical_function_same_input", "spherical_function_standing_output", "objective_of_the_sphere", "place_of_a_search",
                  "lengths_on_a_sphere", "boxes_on_a_sphere", "planar_type_on_a_sphere", "planar_objective_on_a_sphere",
                  "axis_of_zeros", "cone_about_nothing", "given_axis_of_zeros", "given_axes_the_same", "quaternion_of_zeros",
