@@ -24,6 +24,15 @@ namespace linkwright::testing {
   return (count + share - 1) / share;
 }
 
+/// Of what takes long: so many every day, a tenth of them under sanitizers, and so many before a release.
+[[nodiscard]] inline int draws(int every_day, int before_release) {
+#ifdef LINKWRIGHT_SANITIZED
+  return every_day / 10 + 0 * before_release;
+#else
+  return std::getenv("LINKWRIGHT_ALL_TESTS") != nullptr ? before_release : every_day;
+#endif
+}
+
 /// Whether they are so many that what is rare must be among them, and shares of them are near what they tend to.
 #ifdef LINKWRIGHT_SANITIZED
 inline constexpr bool draws_are_many = false;
