@@ -12,6 +12,7 @@
 #include "support/arm_maps.hpp"
 #include "support/draws.hpp"
 #include "support/path_case.hpp"
+#include "support/verdict_margin.hpp"
 
 namespace linkwright::path_verdict_law_test {
 namespace {
@@ -24,22 +25,11 @@ PathTask task_named(const std::string& name) {
   return task;
 }
 
-// Whether rounding decides: the type by a hair, a joint stretched at a point by a hair, or links beyond all measure.
+// Rounding decides, or links are beyond all measure.
 bool is_borderline(const FourBar& bars, std::span<const PrescribedPose> poses) {
   constexpr double hair = 1e-6, largest_ratio = 1e4;
   const LinkLengths lengths = bars.lengths();
-  if (!(lengths.longest() < largest_ratio * lengths.shortest())) return true;
-  const GrashofExcesses t = grashof_excesses(lengths);
-  double least = std::min({std::abs(t.t1), std::abs(t.t2), std::abs(t.t3)}) / lengths.perimeter();
-  const auto sine = [](Point u, Point v) { return std::abs(cross(u, v)) / (std::abs(u) * std::abs(v)); };
-  for (const PrescribedPose& pose : poses) {
-    const Point a = displaced(bars.input_moving, poses[0].pose, pose.pose);
-    const Point b = displaced(bars.output_moving, poses[0].pose, pose.pose);
-    const Point frame = bars.output_fixed - bars.input_fixed;
-    least = std::min({least, sine(frame, a - bars.input_fixed), sine(a - bars.input_fixed, b - a),
-                      sine(b - a, bars.output_fixed - b)});
-  }
-  return least < hair;
+  return !(lengths.longest() < largest_ratio * lengths.shortest()) || testing::verdict_margin(bars, poses) < hair;
 }
 
 struct Compared {

@@ -11,6 +11,7 @@
 #include "linkwright/planar/burmester_curve.hpp"
 #include "support/draws.hpp"
 #include "support/random_task.hpp"
+#include "support/verdict_margin.hpp"
 
 namespace linkwright::verdict_law_test {
 namespace {
@@ -27,19 +28,8 @@ std::optional<FourBar> random_pair(const BurmesterCurve& curve, std::mt19937_64&
   return FourBar{*p, *q, *r, *s};
 }
 
-// Whether rounding decides: the type by a hair, or a joint stretched at a pose by a hair.
 bool is_borderline(const FourBar& bars, const std::vector<PrescribedPose>& poses) {
-  const GrashofExcesses t = grashof_excesses(bars.lengths());
-  double least = std::min({std::abs(t.t1), std::abs(t.t2), std::abs(t.t3)}) / bars.lengths().perimeter();
-  const auto sine = [](Point u, Point v) { return std::abs(cross(u, v)) / (std::abs(u) * std::abs(v)); };
-  for (const PrescribedPose& pose : poses) {
-    const Point a = displaced(bars.input_moving, poses[0].pose, pose.pose);
-    const Point b = displaced(bars.output_moving, poses[0].pose, pose.pose);
-    const Point frame = bars.output_fixed - bars.input_fixed;
-    least = std::min({least, sine(frame, a - bars.input_fixed), sine(a - bars.input_fixed, b - a),
-                      sine(b - a, bars.output_fixed - b)});
-  }
-  return least < 1e-7;
+  return testing::verdict_margin(bars, poses) < 1e-7;
 }
 
 TEST(VerdictLaw, TwentyThousandPairsDriveAsTheSignsSay) {

@@ -7,7 +7,12 @@ import {fileURLToPath} from "node:url";
 
 const root = new URL("../../", import.meta.url),
   port = 4187;
-const tutorials = {tailgate: "tailgate", wrist: "wrist_orthosis", crane: "straight_luffing_crane"};
+const tutorials = {
+  tailgate: "tailgate",
+  wrist: "wrist_orthosis",
+  crane: "straight_luffing_crane",
+  mixer: "dough_mixer",
+};
 const path = (place) => fileURLToPath(new URL(place, root));
 
 async function open(browser, language, example) {

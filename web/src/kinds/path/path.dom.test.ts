@@ -199,7 +199,7 @@ describe("about a given pivot", () => {
   test("a place for it is looked for, given with its best linkage, and taken back", async () => {
     await click("path.seek_pivot");
     await until(() => is_there("path.sought"));
-    expect(text("path.sought")).toContain("220000 arms");
+    expect(text("path.sought")).toContain("220 000 arms");
     const [x, y] = pivots_of(task()).input!;
     expect([x, y]).not.toEqual([40, 90]);
     await until_settled();
