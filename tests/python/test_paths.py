@@ -114,6 +114,20 @@ def test_full_turn_and_elbows_have_names() -> None:
     assert hinge.full_turn is None and hinge.elbows is None
 
 
+def test_a_pivot_is_searched_for_in_a_box() -> None:
+    box = {"x": [-150, 250], "y": [-150, 350]}
+    problem = lw.Problem(lw.PathTask(FIVE), options={"box": box, "effort": 4000, "best": 3})
+    answer = lw.solve(problem, samples=40)
+    x, y = answer.linkages[0].pivots["input_fixed"]
+    assert box["x"][0] <= x <= box["x"][1] and box["y"][0] <= y <= box["y"][1]
+    assert any("searched for" in warning for warning in answer.warnings)
+    assert all(linkage.pivots["input_fixed"] == pytest.approx((x, y)) for linkage in answer.linkages)
+    again = lw.solve(lw.Problem(lw.PathTask(FIVE, {"input": [x, y]}), options={"best": 3}), samples=40)
+    assert [linkage.lengths for linkage in again.linkages] == [linkage.lengths for linkage in answer.linkages]
+    with pytest.raises(lw.ProblemError, match="a box"):
+        lw.solve(lw.PathTask(FIVE))
+
+
 def test_all_linkages_of_a_place_are_told() -> None:
     session = lw.Session(lw.PathTask(FIVE, PIVOT))
     region = session.explore(samples=40)

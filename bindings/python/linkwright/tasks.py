@@ -134,7 +134,8 @@ class PathTask:
 
     Args:
         points: :class:`PathPoint`, (x, y), (x, y, input_deg), or dicts as in problem files. Four or five timed ones; three
-            with angles of crank or coupler and two without; four and one; or, with ground pivots given, five or three.
+            with angles of crank or coupler and two without; four and one; or, with ground pivots given, five or three; or
+            five alone, with ``options={"box": …}`` of a :class:`Problem`, in which the input's pivot is searched for.
         ground_pivots: those that are given, ``{"input": [40, 90]}``, ``{"output": …}`` or both.
     """
 
