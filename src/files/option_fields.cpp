@@ -56,12 +56,10 @@ void of_lines(FieldVisitor& v, LineMeasuring& line, bool is_written) {
 
 void of_searches(FieldVisitor& v, SynthesisOptions& options) {
   const SynthesisOptions usual;
-  v.optional(
-      Field(
-          "box",
-          "Six-bars without a chain: where all pivots lie in position 1. Paths of five points and nothing else given: "
-          "where the input's ground pivot is searched for."),
-      options.box);
+  constexpr std::string_view of_box =
+      "Six-bars without a chain: where all pivots lie in position 1. Paths of five points and nothing else given: "
+      "where the input's ground pivot is searched for.";
+  v.optional(Field("box", of_box), options.box);
   v.optional(Field("seed", "Of the chains, or places, tried.").written(options.seed != usual.seed), options.seed,
              Whole{0, SynthesisOptions::max_seed});
   v.optional(Field("effort", "How many chains, or arms of a path, are tried.").written(options.effort != usual.effort),

@@ -81,8 +81,7 @@ void fields(FieldVisitor& v, PathTask& task) {
       "path_task",
       "Path generation: a point of the coupler passes places in this order: four or five at given angles of the crank; "
       "three with angles of crank or coupler and two without, or four and one; or from given ground pivots, or from "
-      "one "
-      "that is searched for in options.box. A point counts as one position, and as one more for each of its "
+      "one that is searched for in options.box. A point counts as one position, and as one more for each of its "
       "derivatives.",
       true};
   v.object(described, [&](FieldVisitor& to) {
