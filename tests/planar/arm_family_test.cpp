@@ -12,6 +12,7 @@
 #include "planar/path_drive.hpp"
 #include "support/arm_maps.hpp"
 #include "support/path_case.hpp"
+#include "support/random_task.hpp"
 
 namespace linkwright::arm_family_test {
 namespace {
@@ -22,10 +23,7 @@ using testing::curve_coordinate_of;
 using testing::nearest_of;
 using testing::off;
 using testing::place_of;
-
-double in(std::mt19937_64& random, double low, double high) {
-  return std::uniform_real_distribution<double>(low, high)(random);
-}
+using testing::uniform;
 
 TaskFamily given_by(const std::shared_ptr<const ArmFamily>& family) {
   TaskFamily given;
@@ -106,7 +104,7 @@ TEST(ArmFamily, EveryPatternHasOneOrThree) {
   const auto family = arms_of(mixer());
   for (int i = 0; i < 200; ++i) {
     std::map<int, int> of_pattern;
-    for (const Cell& cell : family->all_at({in(random, 0.02, 0.99), in(random, 0.01, 0.99)}, true))
+    for (const Cell& cell : family->all_at({uniform(random, 0.02, 0.99), uniform(random, 0.01, 0.99)}, true))
       ++of_pattern[(static_cast<int>(cell.place.input) - 1) / 3];
     for (const auto& [pattern, count] : of_pattern) EXPECT_TRUE(count == 1 || count == 3) << pattern;
     EXPECT_EQ(of_pattern.size(), 32u);
@@ -118,7 +116,7 @@ TEST(ArmFamily, CognatesStandOnTheOtherSide) {
   std::mt19937_64 random(11);
   const auto family = arms_of(mixer());
   for (int i = 0; i < 50; ++i) {
-    const MapPoint place{in(random, 0.05, 0.95), in(random, 0.05, 0.95)};
+    const MapPoint place{uniform(random, 0.05, 0.95), uniform(random, 0.05, 0.95)};
     const std::vector<Cell> one = family->all_at(place, true);
     const std::vector<Cell> other = family->all_at({place.input, 1 - place.output}, true);
     EXPECT_EQ(one.size(), other.size());
@@ -146,7 +144,7 @@ TEST(ArmFamily, EveryLinkageAmongPosesIsThereFromItsOtherPivot) {
   const auto family = arms_of(feeder());
   int seen = 0;
   for (int i = 0; i < 400; ++i)
-    for (const Cell& cell : family->all_at({in(random, 0.02, 0.98), in(random, 0.02, 0.98)}, true)) {
+    for (const Cell& cell : family->all_at({uniform(random, 0.02, 0.98), uniform(random, 0.02, 0.98)}, true)) {
       const FourBar bars = four_bar_of(cell.pivots);
       const FourBar turned{bars.output_fixed, bars.output_moving, bars.input_fixed, bars.input_moving};
       const auto there = family->all_at(place_of(feeder(), bars.output_fixed), true);
@@ -165,7 +163,7 @@ TEST(ArmFamily, APlainPointIsATimedOneAtTheTurnThatItIsPassedAt) {
   std::mt19937_64 random(8);
   int clean = 0;
   for (int i = 0; i < 900; ++i)
-    for (const Cell& cell : family->all_at({in(random, 0.2, 0.8), in(random, 0.2, 0.8)}, true)) {
+    for (const Cell& cell : family->all_at({uniform(random, 0.2, 0.8), uniform(random, 0.2, 0.8)}, true)) {
       if (!cell.defects.none()) continue;
       ++clean;
       const FourBar bars = four_bar_of(cell.pivots);
@@ -198,7 +196,7 @@ TEST(ArmFamily, ALinkageIsTheSameByItsPlaceAndByItsLayer) {
   for (const PathTask& task : {mixer(), feeder()}) {
     const auto family = arms_of(task);
     for (int i = 0; i < 500; ++i) {
-      const auto found = family->cell({in(random, 0, 1), in(random, 0, 1)});
+      const auto found = family->cell({uniform(random, 0, 1), uniform(random, 0, 1)});
       if (!found) continue;
       const auto again = family->cell(found->place);
       ASSERT_TRUE(again);
@@ -243,7 +241,7 @@ TEST(ArmFamily, CellsAreCleanWhereTheCrankPassesThePoints) {
   std::mt19937_64 random(5);
   int clean = 0;
   for (int i = 0; i < 25; ++i)
-    for (const Cell& cell : family->all_at({in(random, 0.05, 0.95), in(random, 0.05, 0.95)}, true)) {
+    for (const Cell& cell : family->all_at({uniform(random, 0.05, 0.95), uniform(random, 0.05, 0.95)}, true)) {
       if (!cell.defects.none()) continue;
       ++clean;
       const FourBar bars = four_bar_of(cell.pivots);

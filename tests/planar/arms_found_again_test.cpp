@@ -8,6 +8,7 @@
 #include "linkwright/infinitesimal/motion_series.hpp"
 #include "linkwright/mechanism/position.hpp"
 #include "support/arm_maps.hpp"
+#include "support/random_task.hpp"
 
 namespace linkwright::arms_found_again_test {
 namespace {
@@ -18,10 +19,7 @@ using testing::curve_coordinate_of;
 using testing::nearest_of;
 using testing::off;
 using testing::place_of;
-
-double in(std::mt19937_64& random, double low, double high) {
-  return std::uniform_real_distribution<double>(low, high)(random);
-}
+using testing::uniform;
 
 /// A linkage, its point, and a task that it does.
 struct Known {
@@ -56,15 +54,15 @@ PathPoint prescribed(const FourBar& there, Point point, int multiplicity, Angle 
 Known random_known(std::mt19937_64& random, const std::vector<int>& pattern, bool input, bool output,
                    const std::vector<Angle>& known_angles = {}) {
   Known known;
-  const Point shift{in(random, -50, 50), in(random, -50, 50)};
-  const auto place = [&] { return shift + Point{in(random, -3, 3), in(random, -3, 3)}; };
+  const Point shift{uniform(random, -50, 50), uniform(random, -50, 50)};
+  const auto place = [&] { return shift + Point{uniform(random, -3, 3), uniform(random, -3, 3)}; };
   const FourBar any{place(), place(), place(), place()};
   const Point point = place();
   const Point along = (point - any.input_moving) / (any.output_moving - any.input_moving);
   const auto ranges = input_ranges(any.lengths());
   const Assembly assembly = assembly_of(any);
   std::vector<double> angles;
-  for (std::size_t j = 0; j < pattern.size(); ++j) angles.push_back(in(random, 0.05, 0.95));
+  for (std::size_t j = 0; j < pattern.size(); ++j) angles.push_back(uniform(random, 0.05, 0.95));
   std::sort(angles.begin(), angles.end());
   for (std::size_t j = 0; j < pattern.size(); ++j) {
     const AngleRange& range = ranges.front();
