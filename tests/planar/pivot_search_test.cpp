@@ -64,6 +64,21 @@ TEST(PivotSearch, FindsAPlaceAsGoodAsAGridOfMaps) {
   EXPECT_GE(best_versine(task, found.pivot, options, 60), best - 0.02);
 }
 
+// One place with sixteen arms is drawn, and few of them are so good before they are moved.
+TEST(PivotSearch, MovesWhatItDrew) {
+  int meeting = 0, drawn_so = 0;
+  for (std::uint64_t seed = 1; seed <= 8; ++seed) {
+    PivotSearchOptions options = wish(16);
+    options.requirements.min_transmission_angle = radians(60);
+    options.seed = seed;
+    const PivotSearchResult found = search_for_pivot(mixer_in(around), options);
+    meeting += found.meets ? 1 : 0;
+    drawn_so += found.meeting > 0 ? 1 : 0;
+  }
+  EXPECT_LE(drawn_so, 4);
+  EXPECT_GE(meeting, drawn_so + 2);
+}
+
 TEST(PivotSearch, FindsTheSameWhateverTheThreads) {
   const PathTask task = mixer_in(around);
   PivotSearchOptions options = wish(3000);
