@@ -39,6 +39,10 @@ struct SampledTask {
 /// order; of the walking leg the points, the pivots and the real four-bars between them: as JSON, for the peers.
 [[nodiscard]] std::string dump_path(int samples);
 
+/// Linkages of the tailgate's map in their positions, what acts on them, and the largest forces of the hand as JSON,
+/// for the peer.
+[[nodiscard]] std::string dump_loads(int samples);
+
 /// Random tasks of five poses and their Burmester points (circle, centre; working frame) as JSON, for PHCpack.
 [[nodiscard]] std::string dump_five(int count);
 

@@ -16,7 +16,7 @@ import statistics
 import subprocess
 import sys
 
-from peers import (burmester_phc, five_orientations_phc, path_numpy, path_phc, phc, region_numpy, sphere_numpy,
+from peers import (burmester_phc, five_orientations_phc, loads_numpy, path_numpy, path_phc, phc, region_numpy, sphere_numpy,
                    straight_line_numpy, tolerances_numpy)
 
 TASKS = ("landing_gear", "drawer_hinge", "tailgate")
@@ -213,6 +213,32 @@ def print_tolerance_figures(figures):
             print(f"  {name:<52}{value:9.1f}")
 
 
+def load_figures(bench, rounds):
+    """The hand's forces over a map, and numpy in turns: nanoseconds of the processor a linkage that has forces, and a cell;
+    what a search and a list pay for one, microseconds."""
+    dump = json.loads(subprocess.run([bench, "--dump-loads", "400"], check=True, capture_output=True, text=True).stdout)
+    beside, cells = {"numpy, positions, weight alone": []}, {}
+    for _ in range(rounds):
+        for name, entry in run_benchmarks(bench, "^load_map/").items():
+            beside.setdefault(name, []).append(entry["ns_per_linkage"])
+            cells.setdefault(name, []).append(entry["ns_per_task"])
+        beside["numpy, positions, weight alone"] += loads_numpy.measure(dump, 1)
+    alone = {name: entry["ns_per_task"] / 1000 for name, entry in run_benchmarks(bench, "^loads/").items()}
+    return {"ns_per_linkage": {contender: summary(values) for contender, values in beside.items()},
+            "ns_per_cell": {contender: summary(values) for contender, values in cells.items()}, "us_alone": alone}
+
+
+def print_load_figures(figures):
+    table = figures["ns_per_linkage"]
+    best = min(s["min"] for s in table.values())
+    print_table("loads: ns of the processor a linkage, median, min, max; min over the best",
+                [(contender, s, s["min"] / best) for contender, s in table.items()])
+    for name, s in figures["ns_per_cell"].items():
+        print(f"  {name:<32}{s['min']:9.2f} ns a cell of the whole map")
+    for name, us in figures["us_alone"].items():
+        print(f"  {name:<32}{us:9.1f} µs")
+
+
 def path_figures(bench, rounds):
     """Maps of paths, and numpy in turns: nanoseconds of the processor a cell. Four-bars between two pivots, and PHCpack:
     milliseconds of the processor."""
@@ -274,6 +300,8 @@ def main(arguments):
     print_line_figures(lines)
     tolerances = tolerance_figures(options.bench, options.rounds)
     print_tolerance_figures(tolerances)
+    loads = load_figures(options.bench, options.rounds)
+    print_load_figures(loads)
     paths = path_figures(options.bench, options.rounds)
     print_path_figures(paths)
     five = {
@@ -281,6 +309,7 @@ def main(arguments):
         "sphere": sphere,
         "straight_lines": lines,
         "tolerances": tolerances,
+        "loads": loads,
         "five_poses": five_figures(options.bench, "burmester_points", burmester_phc, "--dump-five", options.five),
         "five_orientations": five_figures(options.bench, "five_orientations", five_orientations_phc, "--dump-five-orientations",
                                           options.five_orientations),

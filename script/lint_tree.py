@@ -27,7 +27,7 @@ RANKS = (
     ("region",),
     ("fields",),
     ("function",),
-    ("planar", "spherical", "infinitesimal", "robust"),
+    ("planar", "spherical", "infinitesimal", "robust", "loads"),
     ("straight_line",),
     ("synthesis",),
     ("solve",),

@@ -25,7 +25,8 @@ DOCUMENTS = {  # of the tree, by their place on the site
     "examples/README.md": "examples/index.md", "data/README.md": "data.md", "bench/README.md": "bench.md", "LICENSE": "LICENSE.txt",
 }
 START_PAGES = {"index.md": "Open the workbench", "zh.md": "打开工作台"}
-SCHEMAS = {"problem": "Problem files", "result": "Result files", "analysis": "Analysis files", "attitude": "Attitude files", "sweep": "Sweep files"}
+SCHEMAS = {"problem": "Problem files", "result": "Result files", "analysis": "Analysis files", "attitude": "Attitude files", "sweep": "Sweep files",
+           "spring_boxes": "Boxes of springs", "spring_catalogue": "Catalogues of springs"}
 FENCE = re.compile(r"^(```.*?^```[ ]*$)", re.MULTILINE | re.DOTALL)
 LINK = re.compile(r"(!?)\[((?:[^\[\]]|\[[^\]]*\])*)\]\(([^)\s]+)\)")
 

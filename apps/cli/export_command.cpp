@@ -1,7 +1,9 @@
 #include <algorithm>
+#include <array>
 #include <fmt/format.h>
 
 #include "commands.hpp"
+#include "linkwright/analyses/load_study.hpp"
 #include "linkwright/drawing/linkage_export.hpp"
 #include "linkwright/files/length_unit.hpp"
 #include "linkwright/files/position_error.hpp"
@@ -12,14 +14,15 @@
 namespace linkwright::cli {
 namespace {
 
-Result<LinkagesOfFile> read_linkages(const std::string& path) {
-  const auto text = read_text_file(path, max_result_bytes);
-  return text ? read_linkages_of_file(*text) : Result<LinkagesOfFile>(text.errors());
+/// Of a result, where files of the format tell them.
+std::optional<Loads> told_loads(std::string_view format, std::string_view text) {
+  constexpr std::array<std::string_view, 4> telling = {"dxf", "mjcf", "step", "svg"};
+  return std::ranges::find(telling, format) != telling.end() ? loads_of_result(text) : std::nullopt;
 }
 
 /// The linkage with this number, from 1; of a result its title says which one it is.
-Result<AnyStoredLinkage> read_linkage(const std::string& path, int number) {
-  auto file = read_linkages(path);
+Result<AnyStoredLinkage> read_linkage(std::string_view text, int number) {
+  auto file = read_linkages_of_file(text);
   if (!file) return file.errors();
   const auto count = static_cast<int>(file->linkages.size());
   if (number < 1 || number > count)
@@ -51,13 +54,19 @@ std::string warning_of_drawing(const AnyStoredLinkage& linkage, std::string_view
   return format != "dxf" || unit.empty() ? "" : unit_warning(unit, "the drawing has none");
 }
 
-Result<MachineFile> exported_file(const AnyStoredLinkage& linkage, const ExportArguments& arguments) {
-  if (is_of_a_machine(arguments.format)) return exported_machine(linkage, arguments.format, arguments.machine);
+Result<MachineFile> exported_file(const AnyStoredLinkage& linkage, const ExportArguments& arguments,
+                                  std::string_view text_of_file) {
+  const auto loads = told_loads(arguments.format, text_of_file);
+  if (is_of_a_machine(arguments.format)) {
+    MachineWishes wishes = arguments.machine;
+    wishes.loads = loads;
+    return exported_machine(linkage, arguments.format, wishes);
+  }
   if (is_given(arguments.machine))
     return Error{"wish_of_another_format", "--format",
                  fmt::format("sizes, position and density are those of {}; {} has none",
                              fmt::join(machine_formats(), ", "), arguments.format)};
-  std::string text = exported(linkage, arguments.format);
+  std::string text = exported(linkage, arguments.format, loads);
   if (!text.empty()) return MachineFile{std::move(text), warning_of_drawing(linkage, arguments.format)};
   return Error{
       "format_of_a_sphere", "--format",
@@ -69,8 +78,9 @@ Result<MachineFile> exported_file(const AnyStoredLinkage& linkage, const ExportA
 
 int export_linkage(const ExportArguments& arguments) {
   const Interruption interruption(Interruption::Answer::at_once);
-  const auto linkage = read_linkage(arguments.result, arguments.linkage);
-  const auto file = linkage ? exported_file(*linkage, arguments) : Result<MachineFile>(linkage.errors());
+  const auto text = read_text_file(arguments.result, max_result_bytes);
+  const auto linkage = text ? read_linkage(*text, arguments.linkage) : Result<AnyStoredLinkage>(text.errors());
+  const auto file = linkage ? exported_file(*linkage, arguments, *text) : Result<MachineFile>(linkage.errors());
   if (!file) {
     print_mistakes(arguments.result, file.errors());
     const std::string& code = file.errors().front().code;

@@ -153,6 +153,24 @@ void add_tolerance(CLI::App& app, ToleranceArguments& arguments) {
                       "Draw the errors of the samples in each position and what contributes to them to this SVG file");
 }
 
+void add_loads(CLI::App& app, LoadsArguments& arguments) {
+  CLI::App* command = app.add_subcommand(
+      "loads", "The forces in one linkage of a result: hand, springs, pins, what holds it and when it moves by itself");
+  command->add_option("RESULT", arguments.result, "Result file written by solve -o")->required();
+  command->add_option("--linkage", arguments.linkage, "Which linkage of the result, from 1 (default 1, the best)");
+  command->add_option("--case", arguments.of_case, "One of the cases of its loads (default: all)");
+  command->add_flag("--balance", arguments.balance,
+                    "Also tell the springs or counterweights by which it would rest anywhere");
+  CLI::Option* boxes = command->add_option(
+      "--place-springs", arguments.boxes,
+      "Place the gas spring of this file, its studs within the file's boxes, where the hand needs the least force");
+  command->add_option("--catalogue", arguments.catalogue, "Rank the gas springs of this file in the same boxes")
+      ->needs(boxes);
+  command->add_option("-o,--output", arguments.output,
+                      "Write the curves as a table (.csv), as a picture (.svg), or the report (.json, - for standard "
+                      "output); of springs placed the report");
+}
+
 /// One of the commands of `attitude`; its flags are those of the table.
 void add_attitude_command(CLI::App& app, const std::string& name, const std::string& help, bool with_picture,
                           AttitudeArguments& arguments) {
@@ -209,6 +227,7 @@ int run(int argc, char** argv) {
   ExportArguments export_arguments;
   OutlineArguments outline_arguments;
   ToleranceArguments tolerance_arguments;
+  LoadsArguments loads_arguments;
   AttitudeArguments attitude_arguments;
   SweepArguments sweep_arguments;
   StudioArguments studio_arguments;
@@ -217,6 +236,7 @@ int run(int argc, char** argv) {
   add_export(app, export_arguments);
   add_outline(app, outline_arguments);
   add_tolerance(app, tolerance_arguments);
+  add_loads(app, loads_arguments);
   add_attitude(app, attitude_arguments);
   add_sweep(app, sweep_arguments);
   add_studio(app, studio_arguments);
@@ -226,6 +246,7 @@ int run(int argc, char** argv) {
   if (app.got_subcommand("export")) return export_linkage(export_arguments);
   if (app.got_subcommand("outline")) return outline(outline_arguments);
   if (app.got_subcommand("tolerance")) return tolerance(tolerance_arguments);
+  if (app.got_subcommand("loads")) return loads(loads_arguments);
   if (app.got_subcommand("attitude")) return attitude(attitude_arguments);
   if (app.got_subcommand("sweep")) {
     ThreadsHere threads;

@@ -374,7 +374,7 @@ std::string report(const Problem& problem, const Answer& answer) {
   Problem shown = problem;
   shown.length_unit = printable(shown.length_unit);
   return std::visit([&](const auto& of_kind) { return report_of_kind(shown, of_kind); }, answer) +
-         tolerance_table(shown, findings(answer));
+         tolerance_table(shown, findings(answer)) + loads_table(findings(answer));
 }
 
 }  // namespace linkwright::cli

@@ -6,6 +6,8 @@
 #include <string_view>
 #include <vector>
 
+#include "linkwright/analyses/load_study.hpp"
+#include "linkwright/analyses/spring_places.hpp"
 #include "linkwright/core/angle.hpp"
 #include "linkwright/files/analysis_file.hpp"
 #include "linkwright/files/angular_motion_file.hpp"
@@ -135,6 +137,17 @@ namespace linkwright::cli {
 
 /// The counts of the map, the linkages listed with their angles, and how well each generates the function.
 [[nodiscard]] std::string spherical_function_report(const Problem& problem, const SphericalFunctionAnswer& answer);
+
+/// The forces in the linkages listed, a row to each; empty without loads.
+[[nodiscard]] std::string loads_table(const Findings& found);
+/// What ranks a linkage listed by loads.
+[[nodiscard]] std::optional<std::string> load_score(const Findings& found, std::size_t place);
+/// What loads do to one linkage: tables of cases by read-outs, of pins and of springs, and where it rests.
+[[nodiscard]] std::string load_words(const LoadStudy& study);
+/// What would hold it at rest anywhere: springs of no free length, counterweights.
+[[nodiscard]] std::string balance_words(const LoadStudy& study);
+/// A spring that was placed, what is proven, and the parts of a catalogue; or why there is none.
+[[nodiscard]] std::string spring_words(const PlacedSpring& placed);
 
 /// What tolerances do to the linkages listed, a row to each; empty without tolerances.
 [[nodiscard]] std::string tolerance_table(const Problem& problem, const Findings& found);

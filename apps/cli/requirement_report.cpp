@@ -3,6 +3,7 @@
 
 #include "linkwright/core/angle.hpp"
 #include "linkwright/files/label.hpp"
+#include "linkwright/files/length_unit.hpp"
 #include "linkwright/files/number_text.hpp"
 #include "report.hpp"
 
@@ -90,12 +91,22 @@ namespace {
 
 bool is_least(const Criterion& asked) { return asked.rule == Criterion::Rule::at_least; }
 
+/// Of a length unit that is not known in newtons times it.
+std::string torque_unit(std::string_view of_length) {
+  if (length_unit(of_length)) return "N·m";
+  return of_length.empty() ? "N times the unit of length" : fmt::format("N·{}", of_length);
+}
+
 std::string value_words(const Criterion& asked, double value, std::string_view unit) {
   switch (asked.unit) {
     case Criterion::Unit::angle:
       return angle_words(value);
     case Criterion::Unit::length:
       return limit_words(value, unit);
+    case Criterion::Unit::force:
+      return limit_words(value, "N");
+    case Criterion::Unit::torque:
+      return limit_words(value, torque_unit(unit));
     case Criterion::Unit::share:
       return significant_text(100 * value, limit_digits) + " %";
     default:

@@ -105,6 +105,14 @@ class BoundSession : public PageSession {
   std::string read_text(const std::string& text) { return read(text); }
   std::string mistakes_text() { return mistakes(); }
   std::string notices_text() { return notices(); }
+  std::string loads_text(double input_tau, double output_tau) { return loads({input_tau, output_tau}); }
+  std::string place_spring_text(double input_tau, double output_tau, const std::string& boxes, unsigned most_boxes) {
+    return place_spring({input_tau, output_tau}, boxes, most_boxes);
+  }
+  std::string stud_map_text(double input_tau, double output_tau, const std::string& boxes, const std::string& stud,
+                            int columns, int rows) {
+    return stud_map({input_tau, output_tau}, boxes, stud == "body" ? Stud::body : Stud::ground, columns, rows);
+  }
   std::string sample_yields_text(int cells) { return sample_yields(cells); }
   std::string front_text(const std::string& first, const std::string& second) { return front(first, second); }
   std::string best_text(int most) { return best(most); }
@@ -150,6 +158,9 @@ EMSCRIPTEN_BINDINGS(linkwright) {
       .function("linkage", &BoundSession::linkage_reply)
       .function("live", &BoundSession::live_reply)
       .function("tolerance", &BoundSession::tolerance_reply)
+      .function("loads", &BoundSession::loads_text)
+      .function("place_spring", &BoundSession::place_spring_text)
+      .function("stud_map", &BoundSession::stud_map_text)
       .function("sample_yields", &BoundSession::sample_yields_text)
       .function("front", &BoundSession::front_text)
       .function("halo", &BoundSession::halo_reply)

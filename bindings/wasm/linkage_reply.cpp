@@ -185,8 +185,8 @@ LinkageReply linkage_reply(Session& session, MapPoint place) {
     more.links = std::visit([&](const auto& known) { return links_if_any(known, place); }, session.known());
   }
   LinkageReply reply = linkage_reply(picked, std::move(record), std::move(more));
-  if (const auto output = session.output_at(place))
-    reply.tolerance = tolerance_at_a_glance(*output, *findings(session.known()).options.tolerances);
+  if (const auto& tolerances = findings(session.known()).options.tolerances)
+    if (const auto output = session.output_at(place)) reply.tolerance = tolerance_at_a_glance(*output, *tolerances);
   return reply;
 }
 

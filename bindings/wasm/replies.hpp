@@ -9,8 +9,11 @@
 
 #include "linkwright/core/result.hpp"
 #include "linkwright/files/six_bar_file.hpp"
+#include "linkwright/loads/spring_place.hpp"
 #include "linkwright/machine/machine.hpp"
+#include "linkwright/mechanism/linkage_output.hpp"
 #include "linkwright/solve/session.hpp"
+#include "machine/linkage_loads.hpp"
 #include "reply_fields.hpp"
 
 // What the page gets, as JSON text and columns of numbers (web/src/contract, web/src/engine/adapter.ts).
@@ -79,6 +82,18 @@ struct ToleranceReply {
                                              int drawn);
 /// The same before it is looked at closely: `tolerance` of a result's linkages, by few samples; empty at a dead point.
 [[nodiscard]] std::string tolerance_at_a_glance(const LinkageOutput& output, const Tolerances& tolerances);
+
+/// What loads do to one linkage, with its curves; empty where it does not get through its positions in order.
+[[nodiscard]] std::string loads_reply(const LinkageLoads& on);
+
+/// The spring of a file of boxes placed for a linkage: JSON text {"placed": what write_placed_spring() has, "why_not":
+/// worded, where there is none}, or {"mistakes"}. `most_boxes`: at which the proof is given up; 0: there is none.
+/// docs/theory/loads.md.
+[[nodiscard]] std::string place_spring_reply(const LinkageLoads& on, std::string_view boxes, std::size_t most_boxes);
+/// The least largest hand force over the box of one stud, the other in the middle of its box: {"columns", "rows",
+/// "force": by rows from low y to high y, null where nothing can be built}, or {"mistakes"}.
+[[nodiscard]] std::string stud_map_reply(const LinkageLoads& on, std::string_view boxes, Stud over, int columns,
+                                         int rows);
 
 /// A linkage as one builds it, to be looked at before it is made.
 struct MachineReply {

@@ -10,6 +10,8 @@
 #include "files/json/json_writer.hpp"
 #include "linkwright/algebra/point.hpp"
 #include "linkwright/core/result.hpp"
+#include "linkwright/loads/load_report.hpp"
+#include "linkwright/loads/loads.hpp"
 #include "linkwright/machine/machine.hpp"
 #include "linkwright/solve/session.hpp"
 
@@ -160,6 +162,25 @@ struct ToleranceFigures {
   std::int64_t positions = 0;
 };
 void fields(FieldVisitor& v, const ToleranceFigures& of);
+
+// ---- loads --------------------------------------------------------------------------------------------------------
+
+/// The curves of one case, a value a station.
+struct LoadCurve {
+  std::string name;
+  const std::vector<LoadStation>* stations = nullptr;
+};
+struct LoadFigures {
+  KeptVisit report;  ///< as `loads` of result files
+  std::vector<LoadCurve> curves;
+  Loads loads;
+};
+void fields(FieldVisitor& v, const LoadFigures& of);
+struct StudMapReply {
+  int columns = 0, rows = 0;
+  std::vector<std::optional<double>> force;
+};
+void fields(FieldVisitor& v, const StudMapReply& of);
 
 // ---- plates -------------------------------------------------------------------------------------------------------
 

@@ -63,9 +63,32 @@ std::string PageSession::improve(MapPoint place) {
 std::string PageSession::verify(MapPoint place) { return text_of(VerifiedReply{asked().verify(place)}); }
 
 ToleranceReply PageSession::tolerance(MapPoint place, int bins, int drawn) {
-  const auto output = asked().output_at(place);
-  return output ? tolerance_reply(*output, *findings(asked().known()).options.tolerances, bins, drawn)
-                : ToleranceReply{};
+  const auto& tolerances = findings(asked().known()).options.tolerances;
+  const auto output = tolerances ? asked().output_at(place) : std::nullopt;
+  return output ? tolerance_reply(*output, *tolerances, bins, drawn) : ToleranceReply{};
+}
+
+std::optional<LinkageLoads> PageSession::loads_at(MapPoint place) {
+  const auto& loads = findings(asked().known()).options.loads;
+  const auto output = loads ? asked().output_at(place) : std::nullopt;
+  const auto* planar = output ? std::get_if<PlanarOutput>(&*output) : nullptr;
+  if (!planar) return std::nullopt;
+  return LinkageLoads{*loads, planar->positions.front().bars, poses_of(*planar)};
+}
+
+std::string PageSession::loads(MapPoint place) {
+  const auto on = loads_at(place);
+  return on ? loads_reply(*on) : "";
+}
+
+std::string PageSession::place_spring(MapPoint place, std::string_view boxes, std::size_t most_boxes) {
+  const auto on = loads_at(place);
+  return on ? place_spring_reply(*on, boxes, most_boxes) : "";
+}
+
+std::string PageSession::stud_map(MapPoint place, std::string_view boxes, Stud over, int columns, int rows) {
+  const auto on = loads_at(place);
+  return on ? stud_map_reply(*on, boxes, over, columns, rows) : "";
 }
 
 std::string PageSession::sample_yields(int cells) { return text_of(YieldsReply{asked().sample_yields(cells)}); }
@@ -97,7 +120,8 @@ std::optional<AnyStoredLinkage> PageSession::linkage_at(MapPoint place) {
 std::string PageSession::exported(MapPoint place, std::string_view format) {
   if (format != "result" || opened_) {
     const auto linkage = linkage_at(place);
-    return linkage ? linkwright::exported(*linkage, format) : "";
+    if (!linkage) return "";
+    return linkwright::exported(*linkage, format, opened_ ? std::nullopt : asked().problem().options.loads);
   }
   constexpr bool with_region = false;
   const auto answer = asked().result_at(place);
@@ -119,8 +143,10 @@ MachineReply PageSession::machine(MapPoint place, const WantedSizes& sizes) {
 Result<std::string> PageSession::machine_file(MapPoint place, std::string_view format, const WantedSizes& sizes) {
   const auto made = machine_at(place, sizes);
   if (!made) return made.errors();
+  const auto loads = opened_ ? std::nullopt : loads_at(place);
   const bool is_of_parts = format == "stl" || format == "3mf" || format == "plates";
-  return is_of_parts ? write_parts(*made, format) : simulator_text(*made, format);
+  return is_of_parts ? write_parts(*made, format)
+                     : simulator_text(*made, format, steel_density, loads ? &*loads : nullptr);
 }
 
 }  // namespace linkwright::wasm

@@ -50,6 +50,12 @@ class PageSession {
   /// By all samples, with histograms of so many bins and so many samples to be drawn; empty without tolerances and at a
   /// dead point.
   [[nodiscard]] ToleranceReply tolerance(MapPoint place, int bins, int drawn);
+  /// JSON text: the forces in a linkage and their curves; empty without loads, and where it does not get through its
+  /// positions in order.
+  [[nodiscard]] std::string loads(MapPoint place);
+  /// JSON text, as place_spring_reply() and stud_map_reply(); empty where loads() is.
+  [[nodiscard]] std::string place_spring(MapPoint place, std::string_view boxes, std::size_t most_boxes);
+  [[nodiscard]] std::string stud_map(MapPoint place, std::string_view boxes, Stud over, int columns, int rows);
   /// Samples the yields of so many more cells of the map shown last. JSON text: `{"done", "total"}`.
   [[nodiscard]] std::string sample_yields(int cells);
   /// Objectives by their names. JSON text: `{"front": [[row, column, value, value] …]}`, values as they are read.
@@ -64,6 +70,8 @@ class PageSession {
   [[nodiscard]] Result<std::string> machine_file(MapPoint place, std::string_view format, const WantedSizes& sizes);
 
  private:
+  /// Of a linkage that loads act on.
+  [[nodiscard]] std::optional<LinkageLoads> loads_at(MapPoint place);
   /// False where there are any.
   template <class Read>
   bool note_mistakes(const Result<Read>& read) {

@@ -2,6 +2,8 @@
 
 // All that a program of yours needs of the library.
 
+#include "linkwright/analyses/load_study.hpp"
+#include "linkwright/analyses/spring_places.hpp"
 #include "linkwright/analyses/tolerance_study.hpp"
 #include "linkwright/core/angle.hpp"
 #include "linkwright/core/count_text.hpp"

@@ -2,18 +2,34 @@
 
 #include <algorithm>
 
+#include "analyses/loads/loads_analysis.hpp"
 #include "analyses/tolerances/tolerance_analysis.hpp"
+#include "linkwright/files/length_unit.hpp"
 
 namespace linkwright {
 
-void analysis_fields(FieldVisitor& v, SynthesisOptions& options) { v.optional("tolerances", options.tolerances); }
+void analysis_fields(FieldVisitor& v, SynthesisOptions& options, std::string_view length_unit) {
+  v.optional("tolerances", options.tolerances);
+  v.member(Field("loads").absent(!options.loads), false, [&](FieldVisitor& to) {
+    Loads loads = options.loads.value_or(Loads{});
+    const auto mm = millimetres(length_unit);
+    loads.metres = mm ? std::optional(*mm / 1000) : std::nullopt;
+    fields(to, loads);
+    options.loads = loads;
+  });
+}
 
 std::vector<Error> mistakes_in_analyses(const SynthesisOptions& options) {
-  return options.tolerances ? mistakes_in(*options.tolerances) : std::vector<Error>();
+  std::vector<Error> found = options.loads ? mistakes_in(*options.loads) : std::vector<Error>();
+  if (options.tolerances)
+    for (Error& mistake : mistakes_in(*options.tolerances)) found.push_back(std::move(mistake));
+  return found;
 }
 
 std::vector<Error> mistakes_in_analyses(const Task& task, const Requirements& wanted, const SynthesisOptions& options) {
-  return mistakes_about_tolerances(task, wanted, options);
+  std::vector<Error> found = mistakes_about_tolerances(task, wanted, options);
+  for (Error& mistake : mistakes_about_loads(task, wanted, options)) found.push_back(std::move(mistake));
+  return found;
 }
 
 SynthesisOptions with_task_defaults(SynthesisOptions options, double characteristic_length) {
@@ -28,24 +44,37 @@ SynthesisOptions reported_soon(SynthesisOptions options) {
   return options;
 }
 
-bool analyze_alike(const SynthesisOptions& a, const SynthesisOptions& b) { return a.tolerances == b.tolerances; }
+bool analyze_alike(const SynthesisOptions& a, const SynthesisOptions& b) {
+  return a.tolerances == b.tolerances && a.loads == b.loads;
+}
 
 AddedMeasures added_measures(const LinkageFamily& family, const SynthesisOptions& options, bool with_sampled) {
-  return options.tolerances ? tolerance_measures(family, *options.tolerances, with_sampled) : AddedMeasures{};
+  AddedMeasures added = options.loads ? load_measures(family, *options.loads) : AddedMeasures{};
+  if (options.tolerances)
+    for (AddedMeasure& measure : tolerance_measures(family, *options.tolerances, with_sampled).all)
+      added.all.push_back(std::move(measure));
+  return added;
 }
 
-void report_analyses(Answer& answer, const Progress& progress) {
+std::optional<Requirements> report_analyses(Answer& answer, const Progress& progress) {
+  std::optional<Requirements> with_room;
+  if (findings(answer).options.loads) with_room = report_loads(answer, progress);
   if (findings(answer).options.tolerances) report_tolerances(answer, progress);
+  return with_room;
 }
 
-void report_fields(FieldVisitor& v, const Findings* found, std::size_t place) { tolerance_field(v, found, place); }
+void report_fields(FieldVisitor& v, const Findings* found, std::size_t place) {
+  tolerance_field(v, found, place);
+  loads_field(v, found, place);
+}
 
 void list_analyses(LinkageColumns& list, const Problem& problem) {
   if (problem.options.tolerances) list_tolerances(list, problem.task);
+  if (problem.options.loads) list_loads(list, *problem.options.loads);
 }
 
 std::vector<Shape> study_documents() {
-  return {{JsonType::object, [](FieldVisitor& v) { fields(v, ToleranceStudy{}); }}};
+  return {{JsonType::object, [](FieldVisitor& v) { fields(v, ToleranceStudy{}); }}, load_study_document()};
 }
 
 }  // namespace linkwright

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <cstddef>
+#include <string_view>
 #include <vector>
 
 #include "fields/field_visitor.hpp"
@@ -16,8 +17,8 @@
 // measures it requires and ranks by rows of the tables of criteria and objectives.
 namespace linkwright {
 
-/// The blocks beside the task in a problem file.
-void analysis_fields(FieldVisitor& v, SynthesisOptions& options);
+/// The blocks beside the task in a problem file, whose lengths are in this unit.
+void analysis_fields(FieldVisitor& v, SynthesisOptions& options, std::string_view length_unit);
 
 /// Mistakes in the blocks.
 [[nodiscard]] std::vector<Error> mistakes_in_analyses(const SynthesisOptions& options);
@@ -40,7 +41,8 @@ void analysis_fields(FieldVisitor& v, SynthesisOptions& options);
                                            bool with_sampled = true);
 
 /// Of the linkages listed; those that do not meet by it what is required are left out. Cancelled: of those reached.
-void report_analyses(Answer& answer, const Progress& progress = {});
+/// Stricter requirements by which a search is likely to end at linkages that are not left out; nothing: none was.
+std::optional<Requirements> report_analyses(Answer& answer, const Progress& progress = {});
 
 /// The members of the linkage number `place` of an answer in a result file; null: of one that is in no list.
 void report_fields(FieldVisitor& v, const Findings* found, std::size_t place);

@@ -4,6 +4,7 @@
 
 #include "linkwright/files/linkage_file.hpp"
 #include "linkwright/files/six_bar_file.hpp"
+#include "linkwright/loads/loads.hpp"
 
 namespace linkwright {
 
@@ -11,7 +12,9 @@ namespace linkwright {
 /// ft; unitless else). Layers: GROUND, INPUT, COUPLER, OUTPUT with the outline and the two pin holes of each link in
 /// position 1, of a coupler with a point the triangle as well; POSITIONS with the moving frame in all poses and the
 /// links in the others; COUPLER_CURVE with the path of traced_point() over the motion cycle.
-[[nodiscard]] std::string draw_dxf(const StoredLinkage& linkage);
+/// With `loads`, of a linkage with poses: SPRINGS with the two studs of each and the line between them, CYLINDER with
+/// those of a cylinder that drives, MASSES with the centres of mass, HANDLE; as they lie in position 1.
+[[nodiscard]] std::string draw_dxf(const StoredLinkage& linkage, const Loads* loads = nullptr);
 
 /// The same of a six-bar. Layers: GROUND, BODY_1 (the driver) … BODY_5, a bar with round ends where a body has two
 /// hinges, a closed polyline where it has three; POSITIONS with the moving frame in all poses and the bodies in the

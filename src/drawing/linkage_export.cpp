@@ -14,20 +14,30 @@ std::string table(const StoredSixBar& linkage) {
 
 std::string table(const StoredSphericalFourBar& linkage) { return motion_table(analyze(linkage)); }
 
-template <class Stored>
-std::string dxf_of(const Stored& linkage) {
-  return draw_dxf(linkage);
+/// What the drawings of a linkage show of its loads.
+const Loads* drawn(const StoredLinkage& linkage, const std::optional<Loads>& loads) {
+  return loads && !linkage.poses.empty() ? &*loads : nullptr;
 }
+
+std::string svg_of(const StoredLinkage& linkage, const std::optional<Loads>& loads) {
+  return draw_linkage(linkage, drawn(linkage, loads));
+}
+std::string svg_of(const auto& linkage, const std::optional<Loads>& /*loads*/) { return draw_linkage(linkage); }
+
+std::string dxf_of(const StoredLinkage& linkage, const std::optional<Loads>& loads) {
+  return draw_dxf(linkage, drawn(linkage, loads));
+}
+std::string dxf_of(const StoredSixBar& linkage, const std::optional<Loads>& /*loads*/) { return draw_dxf(linkage); }
 // No drawing in a plane shows arcs on a sphere at true size.
-std::string dxf_of(const StoredSphericalFourBar& /*linkage*/) { return ""; }
+std::string dxf_of(const StoredSphericalFourBar& /*linkage*/, const std::optional<Loads>& /*loads*/) { return ""; }
 
 }  // namespace
 
-std::string exported(const AnyStoredLinkage& linkage, std::string_view format) {
+std::string exported(const AnyStoredLinkage& linkage, std::string_view format, const std::optional<Loads>& loads) {
   return std::visit(
-      [format](const auto& stored) {
-        if (format == "svg") return draw_linkage(stored);
-        if (format == "dxf") return dxf_of(stored);
+      [&](const auto& stored) {
+        if (format == "svg") return svg_of(stored, loads);
+        if (format == "dxf") return dxf_of(stored, loads);
         if (format == "csv") return table(stored);
         return write_linkage(stored);
       },

@@ -87,7 +87,7 @@ void fields(FieldVisitor& v, Problem& problem) {
     to.required(Field("task").missing({"task", "the task: \"task\": {\"kind\": \"motion\", …}"}), problem.task);
     RequirementsOf requirements = {problem.requirements, linkages(problem.task)};
     to.optional("requirements", requirements);
-    analysis_fields(to, problem.options);
+    analysis_fields(to, problem.options, problem.length_unit);
     OptionsOf options = {problem.options, output_kind(problem.task) == OutputKind::line};
     to.optional("options", options);
     view_field(to, problem);

@@ -2,10 +2,12 @@
 
 #include <array>
 #include <fmt/format.h>
+#include <utility>
 
 #include "linkwright/files/length_unit.hpp"
 #include "print_file.hpp"
 #include "simulator_file.hpp"
+#include "spring_parts.hpp"
 #include "step_file.hpp"
 
 namespace linkwright {
@@ -13,10 +15,25 @@ namespace {
 
 constexpr std::array<std::string_view, 7> formats = {"step", "stl", "3mf", "plates", "mjcf", "sdf", "urdf"};
 
-Result<std::string> content_of(const Machine& made, std::string_view format, const MachineWishes& wishes) {
-  if (format == "step") return write_step(made, wishes.position.value_or(0));
+/// Nothing of what is no four-bar with its poses.
+std::optional<LinkageLoads> loads_on(const AnyStoredLinkage& linkage, const MachineWishes& wishes) {
+  const auto* four_bar = std::get_if<StoredLinkage>(&linkage);
+  if (!wishes.loads || !four_bar || four_bar->poses.empty()) return std::nullopt;
+  return LinkageLoads{*wishes.loads, four_bar->four_bar, four_bar->poses};
+}
+
+Result<std::string> assembly(Machine made, const std::optional<LinkageLoads>& loads, int position) {
+  if (loads)
+    for (Part& part : spring_parts(made, *loads, position)) made.parts.push_back(std::move(part));
+  return write_step(made, position);
+}
+
+Result<std::string> content_of(const Machine& made, std::string_view format, const AnyStoredLinkage& linkage,
+                               const MachineWishes& wishes) {
   if (format == "stl" || format == "3mf" || format == "plates") return write_parts(made, format);
-  return simulator_text(made, format, wishes.density.value_or(steel_density));
+  const auto loads = loads_on(linkage, wishes);
+  if (format == "step") return assembly(made, loads, wishes.position.value_or(0));
+  return simulator_text(made, format, wishes.density.value_or(steel_density), loads ? &*loads : nullptr);
 }
 
 /// What has no meaning in a file of this format.
@@ -52,7 +69,7 @@ Result<MachineFile> exported_machine(const AnyStoredLinkage& linkage, std::strin
   if (auto idle = idle_wish(linkage, format, wishes)) return std::move(*idle);
   const auto made = machine(moving_linkage(linkage), wishes.sizes);
   if (!made) return made.errors();
-  auto content = content_of(*made, format, wishes);
+  auto content = content_of(*made, format, linkage, wishes);
   if (!content) return content.errors();
   return MachineFile{std::move(content.value()), warning_of(*made)};
 }

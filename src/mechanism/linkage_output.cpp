@@ -1,5 +1,6 @@
 #include "linkwright/mechanism/linkage_output.hpp"
 
+#include <algorithm>
 #include <utility>
 
 #include "linkwright/core/precondition.hpp"
@@ -25,7 +26,22 @@ PlanarOutput pose_output(std::vector<TracingFourBar> positions, double turning_l
 }
 
 PlanarOutput pose_output(const FourBar& bars, std::span<const PrescribedPose> poses) {
-  return pose_output(carried_along(bars, poses), 0);
+  PlanarOutput output = pose_output(carried_along(bars, poses), 0);
+  if (!poses.empty()) output.body_angle = poses.front().pose.angle;
+  for (const PrescribedPose& there : poses) output.derivatives.push_back(there.derivatives);
+  return output;
+}
+
+std::vector<PrescribedPose> poses_of(const PlanarOutput& output) {
+  const auto coupler = [](const TracingFourBar& at) { return at.bars.output_moving - at.bars.input_moving; };
+  std::vector<PrescribedPose> poses;
+  for (const TracingFourBar& at : output.positions) {
+    const double turned = std::arg(coupler(at) / coupler(output.positions.front()));
+    poses.push_back({{at.point, output.body_angle + turned}, {}});
+  }
+  for (std::size_t j = 0; j < std::min(poses.size(), output.derivatives.size()); ++j)
+    poses[j].derivatives = output.derivatives[j];
+  return poses;
 }
 
 PlanarOutput point_output(const FourBar& bars, std::span<const PrescribedPose> poses) {

@@ -6,8 +6,7 @@
 namespace linkwright {
 
 FourBarCells::FourBarCells(const FourBarFamily& family, const RegionMap& map, const std::vector<PrescribedPose>& poses)
-    : scale_(family.frame().scale),
-      pairs_(family.dyad_pairs_of_cells(map.input_coordinates(), map.output_coordinates())) {
+    : frame_(family.frame()), pairs_(family.dyad_pairs_of_cells(map.input_coordinates(), map.output_coordinates())) {
   Moves moves;
   for (const PrescribedPose& there : poses) {
     const Pose &first = poses.front().pose, &pose = there.pose;
@@ -21,8 +20,7 @@ FourBarCells::FourBarCells(const FourBarFamily& family, const RegionMap& map, co
 
 FourBarCells::FourBarCells(const FourBarFamily& family, const RegionMap& map,
                            const std::vector<std::vector<AnglePair>>& pairs)
-    : scale_(family.frame().scale),
-      pairs_(family.dyad_pairs_of_cells(map.input_coordinates(), map.output_coordinates())) {
+    : frame_(family.frame()), pairs_(family.dyad_pairs_of_cells(map.input_coordinates(), map.output_coordinates())) {
   for (const std::vector<AnglePair>& of_column : pairs) {
     Moves inputs, outputs;
     for (const AnglePair& pair : of_column) {

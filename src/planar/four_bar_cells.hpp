@@ -29,12 +29,18 @@ class FourBarCells {
   /// `pairs`: angles of the grounded links, to each column of the map.
   FourBarCells(const FourBarFamily& family, const RegionMap& map, const std::vector<std::vector<AnglePair>>& pairs);
 
-  [[nodiscard]] double scale() const { return scale_; }  ///< user's unit
+  [[nodiscard]] double scale() const { return frame_.scale; }  ///< user's unit
+  [[nodiscard]] Point to_user(Point working) const { return frame_.to_user(working); }
   [[nodiscard]] std::size_t positions() const { return input_moves_.front().size(); }
   /// Angles are asked for, not poses.
   [[nodiscard]] bool is_function() const { return origins_.empty(); }
   /// The body's origin; of motions.
   [[nodiscard]] Point origin(std::size_t position) const { return origins_[position]; }
+  /// e^{i turn} of the body from position 1; of motions.
+  [[nodiscard]] Point turn(std::size_t position) const { return input_moves_.front()[position].turn; }
+  /// Links of rows and columns depend on their own coordinate alone, as those of motions do.
+  [[nodiscard]] const LinkPositions& input_link(std::size_t row) const { return rows_[row]; }
+  [[nodiscard]] const LinkPositions& output_link(std::size_t column) const { return columns_[column]; }
   /// Input and output link; not whole where there is none.
   [[nodiscard]] std::pair<LinkPositions, LinkPositions> at(std::size_t row, std::size_t column) const;
 
@@ -48,7 +54,7 @@ class FourBarCells {
 
   [[nodiscard]] static LinkPositions moved(const Dyad& link, const Moves& moves);
 
-  double scale_;
+  WorkingFrame frame_;
   FourBarFamily::DyadPairsOfCells pairs_;
   std::vector<Moves> input_moves_, output_moves_;  ///< one for all columns, or one to each
   std::vector<Point> origins_;

@@ -25,6 +25,7 @@ class FunctionFamily : public FourBarFamily, public GeneratorFamily {
   /// `task` without mistakes, `couplers` its own, with a curve or points.
   FunctionFamily(FunctionTask task, std::shared_ptr<const FunctionCouplers> couplers);
 
+  [[nodiscard]] const LinkageClass& linkages() const override { return unloaded_linkages; }
   [[nodiscard]] Side costlier_side() const override { return Side::output; }
 
   /// The task at a place: its free parameter fixed.

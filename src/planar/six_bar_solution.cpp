@@ -127,7 +127,7 @@ std::vector<SixBarRating> ratings_of(std::span<const SixBarMember> members, Simd
 }
 
 bool meets(const Requirements& wanted, const SixBar& six_bar, const SixBarRating& rating) {
-  return CellJudge(wanted, planar_linkages, planar_measures).passes(cell_of(six_bar, rating));
+  return CellJudge(wanted, unloaded_linkages, planar_measures).passes(cell_of(six_bar, rating));
 }
 
 Requirements with_defaults(Requirements wanted, const ThreeLinkChain& chain) {

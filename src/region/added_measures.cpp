@@ -80,10 +80,23 @@ Requirements AddedMeasures::all_else(const AddedMeasure& added, const Requiremen
   return left;
 }
 
+std::vector<Measure> AddedMeasures::filled_by(const CellMeasures& together) const {
+  std::vector<Measure> measures;
+  for (const AddedMeasure& added : all)
+    if (added.together.get() == &together) measures.push_back(added.measure->measure());
+  return measures;
+}
+
 void AddedMeasures::add_to(RegionMap& map, const LinkageFamily& family, const Requirements& wanted, bool with_sampled,
                            const Progress& progress) const {
+  std::vector<const CellMeasures*> filled;
   for (const AddedMeasure& added : all) {
-    if (added.cost == AddedMeasure::Cost::light)
+    if (const CellMeasures* together = added.together.get()) {
+      if (std::find(filled.begin(), filled.end(), together) != filled.end()) continue;
+      filled.push_back(together);
+      const std::vector<Measure> measures = filled_by(*together);
+      map.add(measures, together->rows_of(map, measures), progress);
+    } else if (added.cost == AddedMeasure::Cost::light)
       map.add(*added.measure, progress);
     else if (added.cost == AddedMeasure::Cost::heavy || with_sampled)
       map.add(AmongPassing(*added.measure, filter_of(family, map, all_else(added, wanted))), progress);

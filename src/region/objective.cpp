@@ -26,6 +26,10 @@ constexpr std::array<ObjectiveRow, static_cast<std::size_t>(Objective::end)> obj
     {Objective::velocity_uniformity, "velocity_uniformity", "most even velocity", &measures::velocity_nonuniformity},
     {Objective::tolerance_error, "tolerance_error", "smallest error by tolerances", &measures::tolerance_error},
     {Objective::yield, "yield", "largest yield", &measures::yield},
+    {Objective::hand_force, "hand_force", "smallest largest force of the hand", &measures::hand_force},
+    {Objective::hold_open, "hold_open", "largest hold-open force", &measures::hold_open},
+    {Objective::pin_force, "pin_force", "smallest largest force of a pin", &measures::max_pin_force},
+    {Objective::torque, "torque", "smallest largest driving torque", &measures::max_torque},
 }};
 
 /// Objectives by themselves, which others walk.

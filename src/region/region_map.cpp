@@ -80,20 +80,33 @@ void RegionMap::evaluate_rows(std::span<const double> input, std::span<const dou
 }
 
 void RegionMap::add(const CellMeasure& measure, const Progress& progress) {
-  const auto held = std::find(measures_.begin(), measures_.end(), measure.measure());
+  const std::array only = {measure.measure()};
+  add(
+      only, [fill = measure.rows_of(*this)](std::size_t row, auto values) { fill(row, values.front()); }, progress);
+}
+
+void RegionMap::add(std::span<const Measure> measures, const CellMeasures::Rows& fill, const Progress& progress) {
+  std::vector<float*> columns;
+  for (const Measure& measure : measures) columns.push_back(column_of(measure));
+  parallel_for(rows_, threads_, [&](std::size_t begin, std::size_t end) {
+    std::vector<std::span<float>> values(columns.size());
+    for (std::size_t row = begin; row < end && !progress.is_cancelled(); ++row) {
+      for (std::size_t k = 0; k < columns.size(); ++k) values[k] = {columns[k] + index(row, 0), columns_};
+      fill(row, values);
+    }
+  });
+}
+
+float* RegionMap::column_of(const Measure& measure) {
+  const auto held = std::find(measures_.begin(), measures_.end(), measure);
   const auto place = static_cast<std::size_t>(held - measures_.begin());
   if (held == measures_.end()) {
     require(measures_.size() < MapCell::max_measures, "a map has max_measures at most");
     values_.emplace_back().resize(rows_ * columns_);
-    measures_.push_back(measure.measure());
+    measures_.push_back(measure);
   }
-  float* const values = values_[place].data();
-  std::fill_n(values, rows_ * columns_, 0.0F);
-  const CellMeasure::Rows fill = measure.rows_of(*this);
-  parallel_for(rows_, threads_, [&](std::size_t begin, std::size_t end) {
-    for (std::size_t row = begin; row < end && !progress.is_cancelled(); ++row)
-      fill(row, {values + index(row, 0), columns_});
-  });
+  std::fill_n(values_[place].data(), rows_ * columns_, 0.0F);
+  return values_[place].data();
 }
 
 void RegionMap::put(std::size_t row, std::size_t column, const MapCell& verdict) {

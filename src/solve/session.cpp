@@ -264,15 +264,24 @@ std::vector<FailureBits> Session::failures(RegionMap& map, std::span<const doubl
   return found;
 }
 
-// By the map's own kernel, so that the linkage and its cell agree to the last bit.
+// By the map's own kernel, so that the linkage and its cell agree to the last bit; but where a map only estimates what
+// is asked of a linkage, by the closer look of searches and lists.
 FailureBits Session::failures_at(MapPoint place) {
-  const FailureBits failed = failures(cell_, std::array{place.input}, std::array{place.output}).front();
+  FailureBits failed = failures(cell_, std::array{place.input}, std::array{place.output}).front();
+  AddedMeasures closer;
+  for (const AddedMeasure& added : added_.all) {
+    if (added.cost != AddedMeasure::Cost::sampled && !added.margin_of) continue;
+    closer.all.push_back(added);
+    for (const Criterion* criterion : AddedMeasures::criteria_on(added))
+      failed = static_cast<FailureBits>(failed & ~bit_of(criterion->kind));
+  }
   if (failed != 0 && !std::visit([&](const auto& known) { return meets_exactly(known, place); }, known_)) return failed;
-  const AddedMeasure* sampled = added_.sampled();
-  if (!sampled) return 0;
-  const auto fails = AddedMeasures{{*sampled}}.failures_at(place, requirements());
-  if (fails.empty()) return 0;
-  return static_cast<FailureBits>(1u << place_among(linkages(problem_.task).requirements, fails.front()));
+  const auto fails = closer.failures_at(place, requirements());
+  return fails.empty() ? FailureBits{0} : bit_of(fails.front());
+}
+
+FailureBits Session::bit_of(RequirementKind kind) const {
+  return static_cast<FailureBits>(1u << place_among(linkages(problem_.task).requirements, kind));
 }
 
 PickedLinkage Session::linkage(MapPoint place) {
@@ -353,9 +362,9 @@ std::optional<Answer> Session::result_at(MapPoint place) const {
 }
 
 std::optional<LinkageOutput> Session::output_at(MapPoint place) const {
+  auto output = family() ? family()->output(place) : std::nullopt;
   const auto& tolerances = analyzed_.tolerances;
-  auto output = tolerances && family() ? family()->output(place) : std::nullopt;
-  if (!output) return std::nullopt;
+  if (!output || !tolerances) return output;
   return with_turning_length(*std::move(output), tolerances->turning_length.value_or(0));
 }
 

@@ -39,7 +39,20 @@ void list_again(Answer& answer, std::span<const std::size_t> places) {
       [&](auto& of_kind) {
         pick(of_kind.linkages, places);
         pick(of_kind.tolerance, places);
+        pick(of_kind.loads, places);
         pick(of_kind.fails, places);
+      },
+      answer);
+}
+
+void take_list(Answer& answer, Answer other) {
+  std::visit(
+      [&](auto& of_kind) {
+        auto& from = std::get<std::decay_t<decltype(of_kind)>>(other);
+        of_kind.linkages = std::move(from.linkages);
+        of_kind.tolerance = std::move(from.tolerance);
+        of_kind.loads = std::move(from.loads);
+        of_kind.fails = std::move(from.fails);
       },
       answer);
 }

@@ -17,4 +17,7 @@ namespace linkwright {
 /// Lists those of these places, in this order, with all that is known of each.
 void list_again(Answer& answer, std::span<const std::size_t> places);
 
+/// Lists what another answer to the same task lists, with all that is known of each.
+void take_list(Answer& answer, Answer other);
+
 }  // namespace linkwright

@@ -129,6 +129,12 @@ void explain_empty_list(Findings& found, bool nothing_listed) {
         "What meets all requirements by the few samples of the solution region does not by the figures "
         "that would be listed. Optimise for the yield or the error by tolerances, or require a little less.",
         {{"count", meeting}}};
+  else if (has_warning(found, "left_out_by_loads"))
+    found.reason = {"none_under_loads",
+                    "What meets all requirements by the stations at which the solution region looks does not by the "
+                    "largest forces over the travel. Require a little less, or look at more \"stations\" of the "
+                    "loads.",
+                    {{"count", meeting}}};
   else if (found.options.objective == Objective::structural_error)
     found.reason = {
         "none_reaches",
@@ -137,7 +143,7 @@ void explain_empty_list(Findings& found, bool nothing_listed) {
                     grouped_text(found.meeting_requirements)),
         {{"count", meeting}}};
   else
-    found.reason = {"none_left",
+    found.reason = {"none_beside_limits",
                     "What meets all requirements does so by round-off alone: it lies exactly at a limit. Relax "
                     "one of them a little.",
                     {{"count", meeting}}};

@@ -5,6 +5,7 @@
 
 #include "analyses/analyses.hpp"
 #include "kinds/kinds.hpp"
+#include "listed_linkages.hpp"
 #include "reason.hpp"
 
 namespace linkwright {
@@ -22,6 +23,33 @@ void append_new(std::vector<Error>& all, const std::vector<Error>& more) {
       all.push_back(error);
 }
 
+Result<Answer> searched(const Problem& problem, const Requirements& requirements, const Progress& progress) {
+  Result<Answer> solved =
+      std::visit([&](const auto& of_kind) { return solve_of_kind(of_kind, requirements, problem.options, progress); },
+                 problem.task);
+  if (solved && !problem.options.at) std::visit([](auto& answer) { leave_out_unconfirmed(answer); }, *solved);
+  return solved;
+}
+
+/// A climb that ends at a limit by the estimate of a map may be beyond it by the figures listed: another search keeps a
+/// distance from the limits. Its list takes the place of one that came out shorter.
+void search_with_room(const Problem& problem, const Requirements& with_room, std::size_t told_before, Answer& answer,
+                      const Progress& progress) {
+  Progress quiet;  // what was told as done is not told as begun again
+  quiet.cancelled = progress.cancelled;
+  Result<Answer> again = searched(problem, with_room, quiet);
+  if (!again) return;
+  Findings &found = findings(answer), &other = findings(*again);
+  other.requirements = found.requirements;
+  const std::size_t told_by_search = other.warnings.size();
+  report_analyses(*again, quiet);
+  if (progress.is_cancelled() || linkage_count(*again) <= linkage_count(answer)) return;
+  found.warnings.resize(told_before);
+  found.warnings.insert(found.warnings.end(), other.warnings.begin() + static_cast<std::ptrdiff_t>(told_by_search),
+                        other.warnings.end());
+  take_list(answer, std::move(*again));
+}
+
 }  // namespace
 
 Result<Answer> solve(const Problem& problem, const Progress& progress) {
@@ -34,15 +62,13 @@ Result<Answer> solve(const Problem& problem, const Progress& progress) {
   append_new(mistakes, mistakes_in(options));  // a six-bar's box may stand in both
   append(mistakes, mistakes_in(task, requirements, options));
   if (!mistakes.empty()) return mistakes;
-  Result<Answer> solved =
-      std::visit([&](const auto& of_kind) { return solve_of_kind(of_kind, requirements, options, progress); }, task);
+  Result<Answer> solved = searched(problem, requirements, progress);
   if (!solved) return solved;
-  if (options.at) {  // what is there is told as it is
-    report_analyses(*solved, progress);
-    return solved;
-  }
-  std::visit([](auto& answer) { leave_out_unconfirmed(answer); }, *solved);
-  report_analyses(*solved, progress);
+  const std::size_t told_before = findings(*solved).warnings.size();
+  const auto with_room = report_analyses(*solved, progress);
+  if (options.at) return solved;  // what is there is told as it is
+  if (with_room && !options.pareto && !progress.is_cancelled())
+    search_with_room(problem, *with_room, told_before, *solved, progress);
   std::visit(
       [&](auto& answer) {
         explain_empty_list(answer, answer.linkages.empty());

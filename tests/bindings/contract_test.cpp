@@ -39,6 +39,8 @@ void fields(FieldVisitor& v, const Replies& /*of*/) {
     reply_member(to, "improve", ImprovedReply{});
     reply_member(to, "verify", VerifiedReply{});
     reply_member(to, "tolerance", ToleranceFigures{});
+    reply_member(to, "loads", LoadFigures{});
+    reply_member(to, "stud_map", StudMapReply{});
     reply_member(to, "yields", YieldsReply{});
     reply_member(to, "front", FrontReply{});
     reply_member(to, "machine", MachinePlan{});
@@ -92,8 +94,8 @@ std::string contract() {
   fields(visitor, Replies{});
   return "// What the engine says to the page: generated from its fields (docs/architecture.md), not written.\n"
          "import type {Chain, Requirements} from \"./problem\";\n"
-         "import type {Dyad, FourBar, InsideWindows, JointRelaxation, Relaxation, SixBar, SphericalDyad, "
-         "SphericalFourBar, StraightLineFourBar, Tolerance} from \"./result\";\n\n" +
+         "import type {Dyad, FourBar, InsideWindows, JointRelaxation, LoadReport, Relaxation, SixBar, "
+         "SphericalDyad, SphericalFourBar, StraightLineFourBar, Tolerance} from \"./result\";\n\n" +
          typescript(visitor.take(), "ToldAsText") + state_columns_text() + defect_bits_text() +
          requirements_text(static_cast<const Task*>(nullptr));
 }

@@ -6,6 +6,7 @@
 #include <set>
 #include <sstream>
 
+#include "linkwright/core/angle.hpp"
 #include "support/file_support.hpp"
 
 namespace linkwright::dxf_drawing_test {
@@ -97,6 +98,55 @@ TEST(DxfDrawing, PinsLieAtThePivots) {
   for (const Point pivot : {bars.input_fixed, bars.input_moving, bars.output_fixed, bars.output_moving}) {
     EXPECT_GE(std::count(centers.begin(), centers.end(), pivot), 2);
   }
+}
+
+std::vector<Point> circles_on(const std::vector<Pair>& pairs, std::string_view layer) {
+  std::vector<Point> centers;
+  std::string type, on;
+  Point center;
+  for (const Pair& pair : pairs) {
+    if (pair.code == 0) {
+      if (type == "CIRCLE" && on == layer) centers.push_back(center);
+      type = pair.value;
+    }
+    if (pair.code == 8) on = pair.value;
+    if (pair.code == 10) center.real(std::stod(pair.value));
+    if (pair.code == 20) center.imag(std::stod(pair.value));
+  }
+  return centers;
+}
+
+TEST(DxfDrawing, HasLoadsOnLayersOfTheirOwn) {
+  StoredLinkage linkage;
+  linkage.four_bar = {{0, 0}, {0, 2}, {4, 0}, {3, 3}};
+  linkage.poses = {{Pose{{1, 5}, pi / 2}}};
+  Loads loads;
+  loads.body = BodyMass{.mass = 3, .center = {2, 1}};
+  loads.output = LinkMass{.mass = 1};
+  loads.extra = {{.name = "snow", .at = {LoadedBody::input, {1, 0}}, .mass = 2}, {.name = "wind", .force = {1, 0}}};
+  loads.handle = Handle{.point = {0, -2}};
+  loads.springs = {{"", 1, {LoadedBody::ground, {7, 8}}, {LoadedBody::body, {3, 0}}, CoilSpring{}},
+                   {"", 1, {LoadedBody::coupler, {0.5, 0}}, {LoadedBody::output, {0, 2}}, GasSpring{}},
+                   {"", 1, {}, {}, TorsionSpring{}}};
+  const auto pairs = pairs_of(draw_dxf(linkage, &loads));
+  const auto expect = [&](const char* layer, const std::vector<Point>& places) {
+    const std::vector<Point> found = circles_on(pairs, layer);
+    ASSERT_EQ(found.size(), places.size()) << layer;
+    for (std::size_t k = 0; k < places.size(); ++k) EXPECT_LT(std::abs(found[k] - places[k]), 1e-12) << layer << k;
+  };
+  const Point along_coupler = Point{3, 1} / std::sqrt(10), along_output = Point{-1, 3} / std::sqrt(10);
+  expect("SPRINGS", {{7, 8}, {1, 8}, Point{0, 2} + 0.5 * along_coupler, Point{4, 0} + Point{0, 2} * along_output});
+  expect("MASSES", {{0, 7}, {3.5, 1.5}, {0, 1}});
+  expect("HANDLE", {{3, 5}});
+  expect("CYLINDER", {});
+  loads.drive = LoadDrive::cylinder;
+  loads.cylinder = {{LoadedBody::ground, {-3, 1}}, {LoadedBody::input, {2, 0}}};
+  const std::string driven = draw_dxf(linkage, &loads);
+  const std::vector<Point> ends = circles_on(pairs_of(driven), "CYLINDER");
+  ASSERT_EQ(ends.size(), 2U);
+  EXPECT_EQ(ends[0], (Point{-3, 1}));
+  EXPECT_LT(std::abs(ends[1] - Point{0, 2}), 1e-12);
+  EXPECT_EQ(draw_dxf(linkage).find("SPRINGS"), std::string::npos);
 }
 
 TEST(DxfDrawing, HandlesAreUnique) {

@@ -20,6 +20,19 @@ TEST(LinkageExport, OfAFourBar) {
   EXPECT_EQ(exported(linkage, "json"), write_linkage(linkage));
 }
 
+TEST(LinkageExport, TellsLoadsOfAFourBarWithPoses) {
+  StoredLinkage linkage;
+  linkage.four_bar = testing::four_bars(testing::solved_tailgate()).linkages.front().four_bar;
+  Loads loads;
+  loads.springs = {{"", 1, {LoadedBody::ground, {100, 100}}, {LoadedBody::body, {0, 50}}, CoilSpring{}}};
+  for (const char* format : {"svg", "dxf"}) EXPECT_EQ(exported(linkage, format, loads), exported(linkage, format));
+  linkage.poses = testing::motion(testing::tailgate()).poses;
+  EXPECT_EQ(exported(linkage, "svg", loads), draw_linkage(linkage, &loads));
+  EXPECT_EQ(exported(linkage, "dxf", loads), draw_dxf(linkage, &loads));
+  for (const char* format : {"svg", "dxf"}) EXPECT_NE(exported(linkage, format, loads), exported(linkage, format));
+  for (const char* format : {"csv", "json"}) EXPECT_EQ(exported(linkage, format, loads), exported(linkage, format));
+}
+
 TEST(LinkageExport, OfASixBar) {
   StoredSixBar linkage;
   linkage.row = *six_bar_row({BodyPair{0, 2}, BodyPair{0, 3}});

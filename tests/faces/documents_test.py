@@ -121,6 +121,10 @@ class Documents(FaceTest):
         self.assertEqual(run("solve", "examples/tailgate_as_made.json", "-o", result, cwd=ROOT)[0], 0)
         self.assertEqual(run("tolerance", result, "--linkage", "7", "--svg", picture, cwd=ROOT)[0], 0)
         self.assert_same_texts("tolerances", picture, "tolerance RESULT --linkage 7")
+        result, picture = self.folder / "struts.json", self.folder / "loads.svg"
+        self.assertEqual(run("solve", "examples/tailgate_struts.json", "-o", result, cwd=ROOT)[0], 0)
+        self.assertEqual(run("loads", result, "-o", picture, cwd=ROOT)[0], 0)
+        self.assert_same_texts("loads", picture, "loads RESULT -o docs/loads.svg")
 
     def assert_same_texts(self, name, picture, command):
         texts = [[node.text for node in xml.etree.ElementTree.parse(path).iter() if (node.text or "").strip()]

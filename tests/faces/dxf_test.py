@@ -3,7 +3,7 @@
 import math
 import unittest
 
-from face_support import FaceTest, load, run
+from face_support import ROOT, FaceTest, load, run
 
 try:
     import ezdxf
@@ -50,6 +50,28 @@ class DxfDrawing(FaceTest):
             for pin, end in zip(pins, ends):
                 self.assertAlmostEqual(math.dist((pin.x, pin.y), end), 0, delta=1e-9)
             self.assertAlmostEqual(math.dist(pins[0], pins[1]), linkage["lengths"][link.lower()], delta=1e-6)
+
+    def test_springs_of_loads_have_layers_of_their_own(self):
+        result, path = self.folder / "struts.json", self.folder / "struts.dxf"
+        self.assertEqual(run("solve", ROOT / "examples/tailgate_struts.json", "--samples", 60, "-o", result)[0], 0)
+        self.assertEqual(run("export", result, "--format", "dxf", "-o", path)[0], 0)
+        document = ezdxf.readfile(path)
+        self.assertEqual(document.audit().errors, [])
+        space = document.modelspace()
+
+        def circles(layer):
+            return [(circle.dxf.center.x, circle.dxf.center.y) for circle in space.query(f'CIRCLE[layer=="{layer}"]')]
+
+        # In position 1 the moving frame lies on the fixed one.
+        self.assertEqual(circles("SPRINGS"), [(150, 115), (60, 298)])
+        (line,) = space.query('LINE[layer=="SPRINGS"]')
+        self.assertEqual([(end.x, end.y) for end in (line.dxf.start, line.dxf.end)], [(150, 115), (60, 298)])
+        self.assertEqual(circles("HANDLE"), [(-5, -70)])
+        links = load(result)["linkages"][0]
+        middles = [[(a + b) / 2 for a, b in zip(links[link]["center_point"], links[link]["circle_point"])] for link in ("input", "output")]
+        for found, wanted in zip(circles("MASSES"), [(40, 120), *middles, (70, 200)], strict=True):
+            self.assertAlmostEqual(math.dist(found, wanted), 0, delta=1e-9)
+        self.assertNotIn("SPRINGS", self.drawing()[0].read_text())
 
     def test_coupler_curve_passes_the_poses(self):
         path, _ = self.drawing()

@@ -15,7 +15,9 @@ ALL = sorted((ROOT / "examples").glob("*.json"))
 LINES = [path for path in ALL if path.stem.startswith("straight_")]  # what they find is traced in straight_line_test.py
 EXAMPLES = [path for path in ALL if path not in LINES]
 
-PATTERNS = {"tailgate": "P-P-P-P", "drawer_hinge": "P-P-P-P", "dump_bucket": "P-P-P-P", "landing_gear": "P-P-P-P",
+PATTERNS = {"tailgate": "P-P-P-P", "tailgate_struts": "P-P-P-P", "counterbalanced_lid": "P-P-P-P", "cylinder_bucket": "P-P-P-P",
+            "hood_strut": "P-P-P-P",
+            "drawer_hinge": "P-P-P-P", "dump_bucket": "P-P-P-P", "landing_gear": "P-P-P-P",
             "folding_table": "P-P-P-P", "lift_platform": "P-P-P-P", "hood_hinge": "PP-P-P", "corner_drawer": "PPP-P",
             "latch": "P-P-P", "bin_lid": "P-P-P", "bracket_hatch": "P-P-P", "rail_tailgate": "P-P-P-P",
             "airtight_hatch": "P-P-P", "footrest": "P-P-P", "nose_gear": "P-P-P-P-P", "transfer_arm": "PP-P-PP",

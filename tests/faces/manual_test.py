@@ -83,7 +83,8 @@ class Manual(unittest.TestCase):
         self.assertEqual(self.completions("studio", "--port", ""), [])
 
     def test_files_are_completed(self):
-        self.assertEqual(sorted(self.completions("solve", "tail")), ["tailgate.json", "tailgate_as_made.json"])
+        self.assertEqual(sorted(self.completions("solve", "tail")),
+                         ["tailgate.json", "tailgate_as_made.json", "tailgate_struts.json"])
         self.assertEqual(self.completions("solve", "tailgate.json", "--svg", "wri"), ["wrist_orthosis.json"])
 
 

@@ -103,6 +103,24 @@ def problems_with_everything():
                   "cost": {"exponent": 1}}
     yield "tolerances", problem(tailgate, tolerances=tolerances | {"limit": {"position": 1}},
                                 requirements={"max_tolerance_error": 5, "min_yield": 0.5})
+    stud = {"from": {"on": "ground", "at": [150, 115]}, "to": {"on": "body", "at": [60, 298]}}
+    gas = {"kind": "gas", **stud, "extended_length": 325, "stroke": 128, "measured_at": 5, "F1": 375, "F2": 500}
+    springs = [gas | {"name": "one", "count": 2, "F3": 425, "F4": 560, "rod_diameter": 8, "percent_per_10K": 4},
+               gas | {"name": "other", "friction": 25},
+               {"kind": "coil", **stud, "rate": 1, "free_length": 50, "acts": "tension"},
+               {"kind": "torsion", "joint": "output_coupler", "rate_per_deg": 0.1, "torque_at_position_1": -3}]
+    case = {"name": "cold", "temperature_C": -30, "slope_deg": 6, "extra": ["snow"], "spring_percent": 90,
+            "gas_exponent": 1.2, "for": ["hold_open", "max_pin_force"]}
+    loads = {"gravity": {"direction_deg": -80, "acceleration": 9.81}, "body": {"mass": 24, "center": [40, 120], "inertia": 1},
+             "links": {"input": {"kg_per_m": 1.2}, "coupler": {"mass": 1, "center": [20, 3], "inertia": 0.1}, "output": {"mass": 1}},
+             "extra": [{"name": "snow", "on": "body", "at": [70, 200], "mass": 6},
+                       {"name": "tool", "on": "output", "at": [7, 2], "force": [6, 1], "frame": "body", "always": True}],
+             "handle": {"point": [-5, -70], "direction": {"fixed_deg": 135}}, "springs": springs,
+             "pins": {"radius": 6, "friction": 0.15}, "drive": "input", "rpm": 30, "cases": [case, {"name": "room"}], "stations": 13}
+    yield "loads", problem(tailgate, length_unit="mm", loads=loads, requirements={
+        "max_open_force": 60, "max_close_force": 90, "min_hold_open": -5, "max_pin_force": 2000, "max_torque": 50})
+    by_cylinder = {"handle": {"point": [-5, -70], "direction": "vertical"}, "drive": {"cylinder": stud}}
+    yield "loads by a cylinder", problem(tailgate, length_unit="mm", loads=by_cylinder)
     yield "angles", problem(tailgate, tolerances=tolerances | {
         "length": {key: 0.1 for key in ("input", "coupler", "output", "ground_pivots", "point")}, "limit": {"angle_deg": 1}})
     yield "pareto", problem(tailgate, {"pareto": ["link_ratio", "size"], "best": 2})

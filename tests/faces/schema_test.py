@@ -42,7 +42,16 @@ BEYOND_SCHEMA = {"repeated_pose", "repeated_pose_a_turn_later", "transmission_an
                  "path_pivot_of_output_at_a_point", "path_pivots_at_one_place", "path_point_again_at_once",
                  "path_point_three_times", "path_point_twice_between_pivots", "path_rest_at_a_plain_point",
                  "path_some_angles_equal", "path_some_angles_more_than_a_turn", "path_some_angles_turn_back",
-                 "path_some_crank_against_its_sense", "path_with_a_pose_twice"}
+                 "path_some_crank_against_its_sense", "path_with_a_pose_twice",
+                 "loads_case_extra_unknown", "loads_case_twice", "loads_coil_studs_meet",
+                 "loads_drive_cylinder_on_itself", "loads_extra_on_ground", "loads_extra_twice",
+                 "loads_gas_compressing", "loads_gas_compressing_alone", "loads_gas_forces",
+                 "loads_gas_friction_twice", "loads_gas_measured_at", "loads_gas_measured_at_without_unit",
+                 "loads_gas_stroke", "loads_gas_too_long", "loads_gas_too_short", "loads_hand_without_handle",
+                 "loads_handle_vertical_in_space", "loads_link_density_without_unit", "loads_no_case_counts",
+                 "loads_no_handle", "loads_objective_without_loads", "loads_of_function",
+                 "loads_required_without_loads", "loads_rpm_without_unit", "loads_spring_on_itself",
+                 "loads_spring_twice", "loads_torque_by_hand"}
 
 # Words of refusals that no schema can give: what is wrong is no matter of structure.
 BEYOND_STRUCTURE = ("same", "above the upper", "max_length", "at infinity", "in which the body moves", "the lower number first",
@@ -50,7 +59,8 @@ BEYOND_STRUCTURE = ("same", "above the upper", "max_length", "at infinity", "in 
                     "at one place", "sort them", "is empty", "cannot reach", "on one line", "coincide", "the elbow is",
                     "are given and four or five are needed", "add up to", "by rising s", "a tenth of the stroke",
                     "lies on the line", "is where the coupler point is", "above the largest", "keep x within", "are the most that",
-                    "turn back after", "against the sense", "and four with one")
+                    "turn back after", "against the sense", "and four with one", "is there already", "in position", "half of the stroke",
+                    "shorter than the extended", "at least F1")
 
 
 def validator(name):
@@ -71,7 +81,7 @@ class Schemas(FaceTest):
         cls.problem, cls.result = schemas()
 
     def test_are_schemas(self):
-        for name in ("problem", "result", "analysis", "sweep"):
+        for name in ("problem", "result", "analysis", "sweep", "spring_boxes", "spring_catalogue"):
             schema = load(ROOT / f"schema/{name}.schema.json")
             jsonschema.Draft202012Validator.check_schema(schema)
 
@@ -81,6 +91,36 @@ class Schemas(FaceTest):
         for path in examples:
             with self.subTest(path.name):
                 self.problem.validate(load(path))
+
+    def test_files_of_springs_are_what_their_schemas_say(self):
+        files = {"spring_boxes": [ROOT / "examples/springs/tailgate_boxes.json", ROOT / "docs/tutorials/winter_boxes.json"],
+                 "spring_catalogue": [ROOT / "examples/springs/catalogue.json"]}
+        for name, paths in files.items():
+            for path in paths:
+                with self.subTest(path.name):
+                    validator(name).validate(load(path))
+
+    def test_files_of_springs_are_refused_alike(self):
+        result = self.folder / "struts.json"
+        self.assertEqual(run("solve", ROOT / "examples/tailgate_struts.json", "--samples", 40, "-o", result)[0], 0)
+        boxes, catalogue = (load(ROOT / f"examples/springs/{name}.json") for name in ("tailgate_boxes", "catalogue"))
+        part = catalogue["springs"][0]
+        wrong = {
+            "spring_boxes": [{**boxes, "linkwright": 2}, {**boxes, "ground": {"x": [1, 2]}}, {**boxes, "spring": {"kind": "coil"}},
+                             {**boxes, "max_F1": -1}, {**boxes, "box": {}}, {**boxes, "body": {"x": [1], "y": [1, 2]}},
+                             {key: value for key, value in boxes.items() if key != "spring"}],
+            "spring_catalogue": [{**catalogue, "linkwright_catalogue": 2}, {**catalogue, "kind": "coils"},
+                                 {**catalogue, "springs": [{**part, "F1": []}]}, {**catalogue, "springs": [{**part, "F1": 300}]},
+                                 {**catalogue, "springs": [{**part, "stroke": 0}]}, {**catalogue, "springs": [{**part, "colour": "red"}]},
+                                 {**catalogue, "springs": [{**part, "F1": {"from": 200}}]}]}
+        good = self.write("boxes.json", json.dumps(boxes))
+        for name, documents in wrong.items():
+            for number, document in enumerate(documents):
+                path = self.write(f"{name}_{number}.json", json.dumps(document))
+                words = ["--place-springs", path] if name == "spring_boxes" else ["--place-springs", good, "--catalogue", path]
+                with self.subTest(path.name):
+                    self.assertFalse(validator(name).is_valid(document))
+                    self.assertEqual(run("loads", result, *words)[0], 2)
 
     def test_results_are_results(self):
         for arguments in ((), ("--region",)):

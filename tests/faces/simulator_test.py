@@ -72,6 +72,28 @@ class SimulatorTest(FaceTest):
         self.assertEqual(seen["complaints"], [])
         return seen
 
+    def loaded_tailgate(self):
+        """The tailgate on a crank, with all that a simulator knows of loads, and without friction."""
+        problem = load(ROOT / "examples/tailgate_struts.json")
+        loads = problem["loads"]
+        loads["drive"] = "input"
+        del loads["pins"]
+        loads["links"]["coupler"] = {"mass": 0.7, "center": [60, -12], "inertia": 0.01}
+        gas = loads["springs"][0]
+        gas["F2"] = 430  # little compressed, so that the straight line that stands for the gas is near
+        gas["F3"], gas["F4"] = gas["F1"], gas["F2"]
+        loads["springs"] += [
+            {"kind": "coil", "name": "helper", "from": {"on": "input", "at": [40, 15]}, "to": {"on": "ground", "at": [420, 150]},
+             "rate": 1.5, "free_length": 90, "acts": "tension"},
+            {"kind": "torsion", "name": "bar", "joint": "input_ground", "rate_per_deg": 0.2, "torque_at_position_1": -8}]
+        loads["extra"] += [
+            {"name": "wind", "on": "body", "at": [60, 150], "force": [25, -10], "frame": "fixed", "always": True},
+            {"name": "cable", "on": "body", "at": [30, 60], "force": [-12, 30], "frame": "body", "always": True}]
+        loads["cases"] = [{"name": "slope", "temperature_C": 5, "slope_deg": 7, "extra": ["snow"], "spring_percent": 94}]
+        problem["requirements"] = {"min_transmission_angle_deg": 30, "max_length": 450}
+        problem["options"] = {"objective": "size"}
+        return self.write("loaded.json", problem)
+
     def assert_closed(self, looks, size):
         for look in looks:
             sites = look["sites"]
@@ -91,6 +113,29 @@ class SimulatorTest(FaceTest):
                 turn = heading(there["quat"]) - heading(begin["quat"]) - (pose.angle - poses[0].angle)
                 worst = max(worst, abs(complex(*there["at"][:2]) - wanted) / size, abs(math.remainder(turn, math.tau)))
         self.assertLess(worst, ACCURACY)
+
+    def test_mujoco_holds_a_loaded_linkage_with_the_torque_that_is_told(self):
+        problem = self.loaded_tailgate()
+        result = self.result_of(problem)
+        curves = self.folder / "curves.csv"
+        status, _, error = run("loads", result, "--linkage", 1, "-o", curves)
+        self.assertEqual((status, error), (0, ""))
+        heads, *rows = [line.split(",") for line in curves.read_text(encoding="utf-8").splitlines()]
+        turns, torques = ([float(row[heads.index(head)]) for row in rows] for head in ("driver_turn_deg", "torque_Nm"))
+        looks = self.swing(result)["driven"]
+        sense = math.copysign(1, looks[-1]["joints"][0])
+        xml = (self.folder / "linkage.mjcf").read_text(encoding="utf-8")
+        off = float(re.search(r"line stands for its force, ([0-9.]+) N off at most", xml)[1])
+        self.assertEqual(len(looks), 4)
+        largest = max(map(abs, torques))
+        for look in looks:
+            turn = sense * math.degrees(look["joints"][0])
+            k = min(max(sum(at <= turn for at in turns), 1), len(turns) - 1)
+            share = (turn - turns[k - 1]) / (turns[k] - turns[k - 1])
+            told = torques[k - 1] + share * (torques[k] - torques[k - 1])
+            # The straight line that stands for the gas is off by so much, at no arm longer than the links.
+            self.assertAlmostEqual(look["motor"], told, delta=1e-3 * largest + off * 0.45, msg=f"at {turn} degrees")
+        self.assertLess(off * 0.45, 6e-3 * largest)
 
     def test_mujoco_swings_a_tailgate_through_its_positions(self):
         self.metre = 0.001

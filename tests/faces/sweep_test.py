@@ -109,6 +109,28 @@ class Sweeps(SweepTest):
             for counted in ("defect_free", "meeting_requirements", "types."):
                 self.assertNotIn(f"    {counted}", words.split("/linkages: ")[0])
 
+    @unittest.skipIf(h5py is None, "python3-h5py is not installed")
+    def test_numbers_of_loads_vary_and_forces_are_columns(self):
+        base = load(ROOT / "examples/tailgate_struts.json")
+        base["options"] = {"region_samples": 60, "objective": "hand_force"}
+        base["requirements"] = {"min_transmission_angle_deg": 20, "max_link_ratio": 8, "max_length": 450}
+        forces = [f"loads.worst.{name}.value" for name in ("max_open_force", "hand_force", "hold_open", "max_pin_force")]
+        vary = {"/loads/body/mass": [22, 26], "/loads/springs/0/F1": [300, 400, 600], "/loads/cases/1/temperature_C": [-30, 5]}
+        self.done({"linkwright": 1, "problem": base, "sampling": {"method": "grid"},
+                   "vary": [{"name": at[1:].replace("/", "."), "at": at, "values": values} for at, values in vary.items()],
+                   "keep": {"linkages": 1, "columns": forces}})
+        with h5py.File(self.output) as file:
+            samples, linkages = file["samples"], file["linkages"]
+            self.assertEqual(len(samples["sample"]), 12)
+            # F1 of 600 is above F2.
+            self.assertEqual([row for row in range(12) if samples["status"][row] == b"invalid"], [4, 5, 10, 11])
+            told = {int(sample): [linkages[name][row] for name in forces] for row, sample in enumerate(linkages["sample"])}
+            for sample, number in ((1, (22, 300, 5)), (8, (26, 400, -30))):
+                base["loads"]["body"]["mass"], base["loads"]["springs"][0]["F1"], base["loads"]["cases"][1]["temperature_C"] = number
+                answer = json.loads(run("solve", self.write("one.json", json.dumps(base)), "-o", "-")[1])
+                worst = answer["linkages"][0]["loads"]["worst"]
+                self.assertEqual(told[sample], [worst[name.split(".")[2]]["value"] for name in forces])
+
     def test_any_number_of_threads_writes_the_same_bytes(self):
         content = sweep_of(100)
         whole = self.whole(content)

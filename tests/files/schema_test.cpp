@@ -3,6 +3,7 @@
 #include <gtest/gtest.h>
 #include <string>
 
+#include "analyses/loads/spring_schema.hpp"
 #include "files/fields/field_schema.hpp"
 #include "support/file_support.hpp"
 #include "sweep/sweep_schema.hpp"
@@ -46,12 +47,23 @@ TEST(SweepSchema, IsWhatTheFieldsSayAndTheRulesBetweenThem) {
   expect_generated("/schema/sweep.schema.json", readable(sweep_schema(rules_of("sweep"))) + "\n");
 }
 
+TEST(SpringSchema, IsWhatTheFieldsSayAndTheRulesBetweenThem) {
+  expect_generated("/schema/spring_boxes.schema.json", readable(spring_boxes_schema(rules_of("spring_boxes"))) + "\n");
+  expect_generated("/schema/spring_catalogue.schema.json",
+                   readable(spring_catalogue_schema(rules_of("spring_catalogue"))) + "\n");
+}
+
 // A rule of a definition that has another name would make one that nothing refers to.
 TEST(ProblemSchema, HasNoDefinitionThatNothingRefersTo) { expect_all_referred_to(problem_schema(rules_of("problem"))); }
 TEST(ResultSchema, HasNoDefinitionThatNothingRefersTo) { expect_all_referred_to(result_schema(rules_of("result"))); }
 TEST(SweepSchema, HasNoDefinitionThatNothingRefersTo) { expect_all_referred_to(sweep_schema(rules_of("sweep"))); }
 TEST(AnalysisSchema, HasNoDefinitionThatNothingRefersTo) {
   expect_all_referred_to(analysis_schema(rules_of("analysis")));
+}
+
+TEST(SpringSchema, HasNoDefinitionThatNothingRefersTo) {
+  expect_all_referred_to(spring_boxes_schema(rules_of("spring_boxes")));
+  expect_all_referred_to(spring_catalogue_schema(rules_of("spring_catalogue")));
 }
 
 TEST(ProblemSchema, IsInTheTypesOfThePage) {

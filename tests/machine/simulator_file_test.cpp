@@ -49,6 +49,46 @@ TEST(SimulatorFile, CutsEachLoopOnce) {
   }
 }
 
+// Two springs of one hinge are one there, one of a closed loop is told, and what has a name of another's gets its own.
+TEST(SimulatorFile, TellsLoadsOnce) {
+  LinkageLoads on{{}, parallelogram, {PrescribedPose{}}};
+  const auto torsion = [](FourBarJoint joint, double rate, double torque) {
+    return Spring{"", 1, {}, {}, TorsionSpring{joint, rate, torque}};
+  };
+  const CarriedPoint ground{LoadedBody::ground, {10, 90}}, body{LoadedBody::body, {60, 80}};
+  on.loads.springs = {torsion(FourBarJoint::input_ground, 0.1, 2), torsion(FourBarJoint::input_ground, 0.3, -1),
+                      torsion(FourBarJoint::output_coupler, 0.1, 0),
+                      Spring{"wind", 1, ground, body, CoilSpring{.rate = 1, .free_length = 20}},
+                      Spring{"motor", 1, ground, body, CoilSpring{.rate = 2, .free_length = 20}}};
+  ExtraLoad wind;
+  wind.name = "wind";
+  wind.at = body;
+  wind.force = {3, 4};
+  wind.always = true;
+  on.loads.extra = {wind};
+  const std::string file = write_mjcf(scaled(parallelogram, "mm", 1), steel_density, &on);
+  EXPECT_EQ(count(file, "springref=\""), 1);
+  EXPECT_EQ(count(file, "where the loop is closed, is left out"), 1);
+  EXPECT_EQ(count(file, "<spatial name=\"wind_\""), 1);
+  EXPECT_EQ(count(file, "<general name=\"wind\""), 1);
+  EXPECT_EQ(count(file, "<spatial name=\"motor_\""), 1);
+  EXPECT_EQ(count(file, "nan"), 0);
+}
+
+TEST(SimulatorFile, KeepsTheInertiaOfABodyWithoutMass) {
+  LinkageLoads on{{}, parallelogram, {PrescribedPose{}}};
+  on.loads.output = LinkMass{.mass = 0, .inertia = 0.25};
+  const std::string file = write_mjcf(scaled(parallelogram, "mm", 1), steel_density, &on);
+  const std::size_t body = file.find("<body name=\"output\"");
+  ASSERT_NE(body, std::string::npos);
+  const std::string matter = file.substr(file.find("<inertial", body), 200);
+  std::smatch found;
+  ASSERT_TRUE(std::regex_search(matter, found, std::regex("mass=\"([^\"]+)\" fullinertia=\"\\S+ \\S+ (\\S+) ")));
+  EXPECT_GT(std::stod(found[1]), 0);
+  EXPECT_LT(std::stod(found[1]), 1e-3);
+  EXPECT_NEAR(std::stod(found[2]), 0.25, 1e-9);
+}
+
 TEST(SimulatorFile, IsTheSameInAnyUnit) {
   const Machine in_mm = scaled(parallelogram, "mm", 1), in_m = scaled(parallelogram, "m", 0.001),
                 in_none = scaled(parallelogram, "", 1);

@@ -135,6 +135,34 @@ ARM_MOTIONS = [
     ("elbow of the wrong point", "elbow(elbows, pattern, plain++)", "elbow(elbows, pattern, plain)"),
 ]
 
+STATICS = [
+    ("twist of the input", "input = cross(beta, h), coupler = cross(alpha, beta)", "input = cross(h, beta), coupler = cross(alpha, beta)"),
+    ("twist of the output", "output = cross(alpha, h);", "output = cross(h, alpha);"),
+    ("the coupler's pivot stands still", "turning + quarter_turn * (twist.input * arm(bars, Link::input)) : turning", "turning : turning"),
+    ("force on the coupler does no work by its pivot", "         dot(force[1], of_coupler);", "         0 * dot(force[1], of_coupler);"),
+    ("a spring pushes both ways alike", "to.add(place, spring.from, -spring.count * force * along);", "to.add(place, spring.from, spring.count * force * along);"),
+    ("torsion spring of the wrong sense", "spring.joint, spring.moment - spring.rate * turned);", "spring.joint, spring.moment + spring.rate * turned);"),
+    ("torsion spring between input and coupler", "return of(Link::coupler) - of(Link::input);", "return of(Link::coupler) + of(Link::input);"),
+    ("joint's other link left alone", "all.add_moment(links.other, -moment);", ";"),
+    ("acceleration towards the outside", "arm_of_point * Point{-first * first, second}", "arm_of_point * Point{first * first, second}"),
+    ("acceleration of the coupler's pivot", "? own - arm(place.bars, Link::input) : own", "? own + arm(place.bars, Link::input) : own"),
+    ("second rate of the coupler", "dot(r, beta) / dot(quarter_turn * h, beta), -dot", "-dot(r, beta) / dot(quarter_turn * h, beta), -dot"),
+    ("inertia about the centre", "-mass.inertia * square", "mass.inertia * square"),
+    ("body turned the other way", "direction(body_.angle) * point.at - first_.input_moving)", "direction(-body_.angle) * point.at - first_.input_moving)"),
+    ("moment of the coupler at the input's pivot", "Row{arm(place.bars, Link::coupler), -all.moment[1]}", "Row{arm(place.bars, Link::coupler), all.moment[1]}"),
+    ("force of the coupler on the input", "-cross(alpha, all.force[1]) - all.moment[0]}", "cross(alpha, all.force[1]) - all.moment[0]}"),
+    ("pin at the ground", "*at_output - all.force[2]}", "*at_output + all.force[2]}"),
+    ("friction of pins helps", "-std::copysign(friction_circle_", "std::copysign(friction_circle_"),
+    ("friction circle", "mu / std::sqrt(1 + mu * mu)", "mu / std::sqrt(1 - mu * mu)"),
+]
+
+CARRIED = [
+    ("rod's centre at its end", "Point{length / 2, 0}", "Point{length, 0}"),
+    ("mass by metre without the length", "*link.kg_per_m * length * metres : link.mass", "*link.kg_per_m * metres : link.mass"),
+    ("slope up where it goes down", "loads.gravity->direction - of.slope", "loads.gravity->direction + of.slope"),
+    ("weight of the output on the input", "mass_of(LoadedBody::output,", "mass_of(LoadedBody::input,"),
+]
+
 STRAIGHT_LINE_CHECK = ["tests/mutants/straight_line_check.cpp", "tests/support/straight_line_tasks.cpp",
                        "tests/support/random_task.cpp"]
 
@@ -150,6 +178,9 @@ SUBJECTS = {
     "contacts at places": ("src/straight_line/mixed_contacts.cpp", [], STRAIGHT_LINE_CHECK, CONTACTS),
     "sensitivities": ("src/robust/sensitivity.cpp", [],
                       ["tests/mutants/tolerance_check.cpp", "tests/support/random_four_bar.cpp"], SENSITIVITIES),
+    "carried": ("src/loads/carried.cpp", ["src/loads/carried.hpp"],
+                ["tests/mutants/statics_check.cpp", "tests/support/random_four_bar.cpp"], CARRIED),
+    "statics": ("src/loads/statics.cpp", ["src/loads/statics.hpp"], ["tests/mutants/statics_check.cpp", "tests/support/random_four_bar.cpp"], STATICS),
     "instant": ("src/infinitesimal/instant.cpp", [], STRAIGHT_LINE_CHECK, INSTANT),
 }
 

@@ -118,11 +118,7 @@ int disagreements() {
   int found = 0;
   for (int i = 0; i < 400; ++i) {
     const FourBar bars = random.four_bar();
-    const LinkLengths l = bars.lengths();
-    const double sine =
-        std::abs(cross(bars.output_moving - bars.input_moving, bars.output_moving - bars.output_fixed)) /
-        (l.coupler * l.output);
-    if (sine > 0.3 && l.shortest() > 0.3)
+    if (testing::transmission_sine(bars) > 0.3 && bars.lengths().shortest() > 0.3)
       found += !agrees(TracingFourBar{bars, {random.uniform(-3, 3), random.uniform(-3, 3)}});
     const LinkAngles arcs{random.uniform(0.4, 1.4), random.uniform(0.4, 1.4), random.uniform(0.4, 1.4),
                           random.uniform(0.4, 1.4)};

@@ -262,11 +262,21 @@ def test_what_progress_raises_ends_the_work() -> None:
         lw.solve(long_search(), progress=fail)
 
 
-def test_control_c_stops() -> None:
+def stopped_by_control_c(program: str, after: float) -> None:
+    """Of a program that says "begun", and "stopped" after a KeyboardInterrupt."""
     # A shell's job in the background is begun with the signal ignored.
-    program = f"""
-import json, signal, linkwright as lw
-signal.signal(signal.SIGINT, signal.default_int_handler)
+    program = "import json, signal, linkwright as lw\nsignal.signal(signal.SIGINT, signal.default_int_handler)\n" + program
+    with subprocess.Popen([sys.executable, "-c", program], stdout=subprocess.PIPE, text=True) as child:
+        assert child.stdout is not None and child.stdout.readline() == "begun\n"
+        time.sleep(after)
+        child.send_signal(signal.SIGINT)
+        assert child.stdout.readline() == "stopped solved\n"
+        assert child.wait(200) == 0
+
+
+def test_control_c_stops() -> None:
+    stopped_by_control_c(
+        f"""
 problem = lw.read_problem({str(EXAMPLES / "loader_bucket.json")!r})
 problem["options"]["effort"] = 10_000_000
 print("begun", flush=True)
@@ -274,13 +284,31 @@ try:
     lw.solve(problem)
 except KeyboardInterrupt:
     print("stopped", lw.solve({str(EXAMPLES / "nose_gear.json")!r}).status, flush=True)
-"""
-    with subprocess.Popen([sys.executable, "-c", program], stdout=subprocess.PIPE, text=True) as child:
-        assert child.stdout is not None and child.stdout.readline() == "begun\n"
-        time.sleep(0.5)
-        child.send_signal(signal.SIGINT)
-        assert child.stdout.readline() == "stopped solved\n"
-        assert child.wait(200) == 0
+""",
+        after=0.5,
+    )
+
+
+def test_control_c_stops_the_placing_of_a_spring() -> None:
+    # Boxes as large as these leave the proof much to do.
+    stopped_by_control_c(
+        f"""
+problem = lw.read_problem({str(EXAMPLES / "tailgate_struts.json")!r})
+problem["options"]["region_samples"] = 40
+answer = lw.solve(problem)
+boxes = json.loads(open({str(EXAMPLES / "springs/tailgate_boxes.json")!r}).read())
+for box in ("ground", "body"):
+    for axis in "xy":
+        low, high = boxes[box][axis]
+        boxes[box][axis] = [low - 500, high + 500]
+print("begun", flush=True)
+try:
+    answer.place_spring(boxes)
+except KeyboardInterrupt:
+    print("stopped", answer.status, flush=True)
+""",
+        after=1,
+    )
 
 
 # ---- pictures, tables, sessions

@@ -108,6 +108,37 @@ def test_instant_is_that_of_the_program(tmp_path: Path) -> None:
     assert found._repr_svg_().startswith("<svg") or "<svg" in found._repr_svg_()
 
 
+def test_loads_are_those_of_the_program(tmp_path: Path) -> None:
+    answer = solved("tailgate_struts", 80)
+    answer.save(tmp_path / "struts.json")
+    told = json.loads(run("loads", tmp_path / "struts.json", "-o", "-").stdout)["report"]
+    found = answer.loads()
+    curves = found["curves"]
+    assert found["cases"][2]["max_close_force"] == told["cases"][2]["max_close_force"]
+    assert found["worst"] == answer.linkages[0]["loads"]["worst"]
+    assert list(curves) == [case["name"] for case in told["cases"]]
+    assert curves["cold"]["open_N"].shape == (73,)
+    assert -curves["cold"]["open_N"][-1] == pytest.approx(told["cases"][1]["hold_open"], abs=1e-9)
+    assert "<svg" in found._repr_svg_()
+    assert list(answer.loads(answer.linkages[0], case="hot")["curves"]) == ["hot"]
+    with pytest.raises(lw.ProblemError, match="warm"):
+        answer.loads(case="warm")
+
+
+def test_springs_are_placed_as_the_program_places_them(tmp_path: Path) -> None:
+    answer = solved("tailgate_struts", 80)
+    answer.save(tmp_path / "struts.json")
+    file = TREE / "examples/springs/tailgate_boxes.json"
+    boxes = json.loads(file.read_text())
+    run("loads", tmp_path / "struts.json", "--place-springs", file, "-o", tmp_path / "placed.json")
+    told = json.loads((tmp_path / "placed.json").read_text())
+    placed = answer.place_spring(boxes)
+    assert placed.proven and placed.lower_bound == told["lower_bound"] < placed.max_hand_force == told["max_hand_force"]
+    boxes["max_F1"] = -1
+    with pytest.raises(lw.ProblemError, match="max_F1"):
+        answer.place_spring(boxes)
+
+
 def test_tolerance_is_that_of_the_program(tmp_path: Path) -> None:
     answer = solved("tailgate_as_made", 60)
     answer.save(tmp_path / "made.json")

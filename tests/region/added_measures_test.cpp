@@ -17,7 +17,7 @@ class Coordinate : public CellMeasure {
 };
 
 AddedMeasures error_and_yield() {
-  return {{{std::make_shared<Coordinate>(measures::tolerance_error, &MapPoint::input)},
+  return {{{.measure = std::make_shared<Coordinate>(measures::tolerance_error, &MapPoint::input)},
            {.measure = std::make_shared<Coordinate>(measures::yield, &MapPoint::output),
             .cost = AddedMeasure::Cost::sampled,
             .tie = &measures::tolerance_error}}};

@@ -16,11 +16,25 @@ std::vector<std::string> places_of_mistakes(const Requirements& wanted, const Li
 using Places = std::vector<std::string>;
 
 TEST(LinkageClass, HasNoMoreRequirementsThanAByteHasBits) {
-  for (const LinkageClass& of : {planar_linkages, spherical_linkages, straight_line_linkages, path_linkages}) {
+  for (const LinkageClass& of :
+       {planar_linkages, unloaded_linkages, spherical_linkages, straight_line_linkages, path_linkages}) {
     EXPECT_LE(of.requirements.size(), max_requirements);
     EXPECT_EQ(std::count(of.types.begin(), of.types.end(), LinkageType::degenerate), 1);
     EXPECT_FALSE(of.objectives.empty());
   }
+}
+
+// What a cell fails is told by bits in the order of planar linkages, whatever they are for.
+TEST(LinkageClass, BeginsWithWhatIsAskedWithoutLoads) {
+  const auto begins_with = [](const auto& whole, const auto& part) {
+    return part.size() < whole.size() && std::equal(part.begin(), part.end(), whole.begin());
+  };
+  EXPECT_TRUE(begins_with(planar_linkages.requirements, unloaded_linkages.requirements));
+  EXPECT_TRUE(begins_with(planar_linkages.objectives, unloaded_linkages.objectives));
+  Requirements wanted;
+  wanted.max_pin_force = 100;
+  EXPECT_TRUE(mistakes_in(wanted, planar_linkages).empty());
+  EXPECT_EQ(places_of_mistakes(wanted, unloaded_linkages), Places{"requirements.max_pin_force"});
 }
 
 TEST(LinkageClass, TakesItsOwnRequirements) {

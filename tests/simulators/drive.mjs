@@ -22,6 +22,7 @@ function look() {
   mujoco.mj_forward(model, data);
   return {
     turn: data.ctrl[0],
+    motor: data.actuator_force[0],
     joints: Array.from(data.qpos),
     bodies: Object.fromEntries(bodies.map((name, i) => [name, { at: triple(data.xpos, i + 1), quat: triple(data.xquat, i + 1, 4) }])),
     sites: Object.fromEntries(sites.map((name, i) => [name, triple(data.site_xpos, i)])),

@@ -10,6 +10,7 @@
 #include "line_check.hpp"
 #include "linkwright/core/angle.hpp"
 #include "linkwright/region/measure.hpp"
+#include "load_check.hpp"
 #include "path_check.hpp"
 #include "tolerance_check.hpp"
 
@@ -93,7 +94,30 @@ const std::set<std::string>& keys_that_may_be_null() {
                                              "cognate",
                                              "moving_pivot",
                                              "crank_length",
-                                             "point_arm"};
+                                             "point_arm",
+                                             "loads",
+                                             "gravity",
+                                             "rpm",
+                                             "measured_at",
+                                             "percent_per_10K",
+                                             "path",
+                                             "max_open_force",
+                                             "max_close_force",
+                                             "hold_open",
+                                             "close_start",
+                                             "hump",
+                                             "pop_up",
+                                             "self_rise",
+                                             "self_close",
+                                             "input_ground",
+                                             "input_coupler",
+                                             "output_coupler",
+                                             "output_ground",
+                                             "max_torque",
+                                             "cylinder_force",
+                                             "stroke_left",
+                                             "bottoms_at",
+                                             "least_lever"};
   return keys;
 }
 
@@ -363,7 +387,9 @@ void check_linkages(const Problem& problem, const json& result, Wrongs& wrongs) 
 /// By the objective, best first; those with defects have no transmission angle.
 void check_order(const json& result, Wrongs& wrongs) {
   const std::string objective = result["problem"]["options"].value("objective", "min_transmission_angle");
-  if (objective == "tolerance_error" || objective == "yield" || result.contains("pareto")) return;
+  const std::set<std::string> of_analyses = {"tolerance_error", "yield",     "hand_force",
+                                             "hold_open",       "pin_force", "torque"};
+  if (of_analyses.contains(objective) || result.contains("pareto")) return;
   std::optional<double> before;
   for (const json& entry : result["linkages"]) {
     if (!no_defects(entry)) continue;
@@ -424,6 +450,7 @@ std::vector<std::string> wrongs_of(const Problem& problem, const Answer& answer,
   check_status(problem, result, wrongs);
   check_echo(result, wrongs);
   for (std::string& wrong : wrongs_of_tolerances(problem, answer, result)) wrongs.push_back(std::move(wrong));
+  for (std::string& wrong : wrongs_of_loads(problem, answer, result)) wrongs.push_back(std::move(wrong));
   std::sort(wrongs.begin(), wrongs.end());
   wrongs.erase(std::unique(wrongs.begin(), wrongs.end()), wrongs.end());
   return wrongs;

@@ -1,5 +1,6 @@
 #include "drawn_problem.hpp"
 
+#include "drawn_loads.hpp"
 #include "drawn_task.hpp"
 #include "drawn_tolerances.hpp"
 #include "linkwright/mechanism/linkage_type.hpp"
@@ -142,6 +143,7 @@ DrawnProblem drawn_problem(std::uint64_t seed, std::uint64_t index, std::optiona
                                                          : drawn_requirements(draw, sheet);
   problem["options"] = is_line ? drawn_line_options(draw, sheet, kind) : drawn_options(draw, sheet, kind);
   add_tolerances(draw, sheet, kind, problem);
+  add_loads(draw, sheet, kind, problem);
   return {kind, problem.dump() + "\n"};
 }
 

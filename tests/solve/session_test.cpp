@@ -81,6 +81,16 @@ TEST(Session, KeepsWhatStillHoldsAndFollowsWhatChanges) {
   EXPECT_EQ(session.explore(coarse())->counts.types, findings(testing::answer_of(problem)).counts.types);
 }
 
+// Maps estimate the forces of loads; what is listed at a limit meets it in hand, too.
+TEST(Session, SaysOfListedLinkagesThatTheyMeetWhatLoadsAreRequired) {
+  Session session(example("tailgate_struts.json", samples));
+  const auto best = session.best(4);
+  ASSERT_TRUE(best.ok());
+  const auto& found = std::get<MotionAnswer>(*best);
+  ASSERT_FALSE(found.linkages.empty());
+  for (const auto& linkage : found.linkages) EXPECT_EQ(session.linkage(found.point_of(linkage)).fails, 0);
+}
+
 TEST(Session, ImprovesVerifiesAndTracesTheBest) {
   Session session(example("tailgate.json", samples));
   const auto best = session.best(3);

@@ -20,6 +20,7 @@
 #include <map>
 
 #include "linkwright/core/angle.hpp"
+#include "linkwright/machine/machine_export.hpp"
 #include "linkwright/machine/mesh.hpp"
 #include "support/file_support.hpp"
 #include "support/machine_cases.hpp"
@@ -128,6 +129,36 @@ TEST(StepFile, AxesOfHolesLieAsFarApartAsTheLinksAreLong) {
           EXPECT_LT(nearest, made->linkage.spherical ? 1e-9 : 1e-9 * size) << made->linkage.title;
         }
     }
+  }
+}
+
+TEST(StepFile, HoldsTheStudsAndGasSpringsOfLoads) {
+  const Problem problem = testing::example("tailgate_struts.json", 60);
+  const AnyStoredLinkage stored = stored_linkages(problem, testing::answer_of(problem)).front();
+  const auto& bars = std::get<StoredLinkage>(stored);
+  for (const int position : {0, 3}) {
+    MachineWishes wishes;
+    wishes.position = position;
+    wishes.loads = problem.options.loads;
+    const auto file = exported_machine(stored, "step", wishes);
+    ASSERT_TRUE(file.ok()) << file.errors().front().message;
+    const auto parts = read_back(file->content);
+    const Pose& pose = bars.poses[static_cast<std::size_t>(position)].pose;
+    const Point ground{150, 115}, body = pose.origin + direction(pose.angle) * Point{60, 298};
+    const auto axis_of = [&](const std::string& name, double radius) {
+      const auto axes = holes(parts.at(name), radius);
+      EXPECT_EQ(axes.size(), 1U) << name;
+      return gp_Lin(axes.front());
+    };
+    const double pin = machine(moving_linkage(stored)).value().sizes.pin / 2;
+    EXPECT_LT(axis_of("stud_strut_from", pin).Distance(gp_Pnt(ground.real(), ground.imag(), 0)), 1e-6) << position;
+    EXPECT_LT(axis_of("stud_strut_to", pin).Distance(gp_Pnt(body.real(), body.imag(), 0)), 1e-6) << position;
+    // Tube and rod lie in one line, from stud to stud: rods of 8 mm.
+    const gp_Lin rod = axis_of("strut_rod", 4), tube = axis_of("strut_tube", 8);
+    for (const gp_Lin& line : {rod, tube})
+      for (const Point stud : {ground, body})
+        EXPECT_LT(line.Distance(gp_Pnt(stud.real(), stud.imag(), rod.Location().Z())), 1e-5) << position;
+    EXPECT_NEAR(volume_of(parts.at("strut_tube")) / (pi * 64 * (325 - 128 - 3 * pin)), 1, 1e-9);
   }
 }
 

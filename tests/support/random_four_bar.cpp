@@ -51,6 +51,12 @@ Pose coupler_pose(const FourBar& four_bar, Point offset, double turn) {
   return {four_bar.input_moving + coupler / std::abs(coupler) * offset, std::arg(coupler) + turn};
 }
 
+double transmission_sine(const FourBar& four_bar) {
+  const Point coupler = four_bar.output_moving - four_bar.input_moving,
+              output = four_bar.output_moving - four_bar.output_fixed;
+  return std::abs(cross(coupler, output)) / (std::abs(coupler) * std::abs(output));
+}
+
 double loop_gap(const LinkLengths& lengths, const Configuration& c) {
   return std::abs(lengths.input * direction(c.input_angle) + lengths.coupler * direction(c.coupler_angle) -
                   lengths.ground - lengths.output * direction(c.output_angle));

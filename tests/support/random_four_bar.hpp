@@ -40,6 +40,9 @@ class RandomFourBars {
 /// `offset` and turned by `turn` in that frame.
 [[nodiscard]] Pose coupler_pose(const FourBar& four_bar, Point offset = {0.3, -0.2}, double turn = 0.4);
 
+/// Sine of the transmission angle: near 0 differences along the motion are far off.
+[[nodiscard]] double transmission_sine(const FourBar& four_bar);
+
 /// Length, user's unit, by which the loop of a four-bar fails to close.
 [[nodiscard]] double loop_gap(const LinkLengths& lengths, const Configuration& configuration);
 

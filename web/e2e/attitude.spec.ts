@@ -1,7 +1,17 @@
 // The attitude of a body: turned by hand, shown in every form, played turn by turn.
 import type {Page} from "@playwright/test";
 import {readFileSync} from "node:fs";
-import {drag, expect, expect_accessible, middle_of, open_workbench, read_state, test, type_into} from "./support";
+import {
+  drag,
+  expect,
+  expect_accessible,
+  middle_of,
+  open_workbench,
+  read_state,
+  test,
+  type_into,
+  until_answered,
+} from "./support";
 
 interface Turned {
   kind: string;
@@ -35,6 +45,7 @@ test("a ring is dragged: every form follows, in one step that is taken back; a r
   const knob = await middle_of(page.getByTestId("attitude.view.ring.x"));
   await drag(page, knob, await beside(page, "attitude.view.ring.x", 30, -60), 8);
   await expect.poll(() => quaternion(page)).not.toEqual(before);
+  await until_answered(page);
   const after = await quaternion(page);
   expect(Math.hypot(...after)).toBeCloseTo(1, 5);
   const {orientation} = await task(page);

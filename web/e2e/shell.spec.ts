@@ -193,7 +193,7 @@ test("a visitor who comes back sees his own map before the engine is there", asy
   await move_a_pose(page);
   await until_settled(page);
   const before = await shown(page);
-  await expect.poll(() => kept_question(page)).toBe(await question(page));
+  await expect.poll(() => kept_view(page)).toEqual({question: await question(page), picked: before.picked});
   let release = (): void => {};
   const released = new Promise<void>((resolve) => (release = resolve));
   await page.route(/\.wasm$/, async (route) => {
@@ -215,8 +215,8 @@ const question = (page: Page) =>
     const {view: _, ...rest} = problem;
     return JSON.stringify(rest);
   });
-/** Of the view that is kept for the next visit. */
-const kept_question = (page: Page) =>
+/** What the view that is kept for the next visit is of. */
+const kept_view = (page: Page) =>
   page.evaluate(async () => {
     const is_there = (await indexedDB.databases()).some(({name}) => name === "linkwright_view");
     if (!is_there) return null; // opening it would make it
@@ -224,12 +224,12 @@ const kept_question = (page: Page) =>
       const opening = indexedDB.open("linkwright_view");
       opening.onsuccess = () => resolve(opening.result);
     });
-    const view = await new Promise<{question: string} | undefined>((resolve) => {
+    const view = await new Promise<{question: string; linkage: {tau: number[]}} | undefined>((resolve) => {
       const reading = database.transaction("view").objectStore("view").get("last");
       reading.onsuccess = () => resolve(reading.result);
     });
     database.close();
-    return view?.question ?? null;
+    return view ? {question: view.question, picked: view.linkage.tau.join()} : null;
   });
 
 // ---- 19 ---------------------------------------------------------------------------------------------------------
@@ -302,7 +302,7 @@ test("19 · the rest of the engine's code cannot be had, and is asked for again"
 function latin_words(page: Page): Promise<string[]> {
   return page.evaluate(() => {
     const allowed =
-      /^(Linkwright|linkwright|solve|analyze|English|mm|DXF|SVG|PNG|CSV|JSON|GIF|MP|MF|STL|WebM|URDF|ROS|SDF|Gazebo|SDFormat|MJCF|MuJoCo|STEP|CAD|A4|A3|MB|kB|PP?P?|Ctrl|Shift|Alt|Tab|Enter|Space|Esc|Mac|[A-Za-z])$/;
+      /^(Linkwright|linkwright|solve|analyze|English|mm|kg|DXF|SVG|PNG|CSV|JSON|GIF|MP|MF|STL|WebM|URDF|ROS|SDF|Gazebo|SDFormat|MJCF|MuJoCo|STEP|CAD|A4|A3|MB|kB|PP?P?|Ctrl|Shift|Alt|Tab|Enter|Space|Esc|Mac|[A-Za-z])$/;
     const texts: string[] = [];
     const walker = document.createTreeWalker(document.body, NodeFilter.SHOW_ELEMENT | NodeFilter.SHOW_TEXT);
     for (let node = walker.nextNode(); node; node = walker.nextNode()) {

@@ -162,6 +162,10 @@ export async function until_at_rest(page: Page): Promise<void> {
   await page.waitForFunction(has_come);
   await page.waitForLoadState("networkidle");
 }
+/** All that was asked of the engine has its answer, but what is asked at leisure. */
+export async function until_answered(page: Page): Promise<void> {
+  await page.waitForFunction(() => globalThis.__linkwright!.workbench.questions.settled());
+}
 /** The map on screen is that of the problem as it is. */
 export async function until_mapped(page: Page): Promise<void> {
   await page.waitForFunction(() => {

@@ -2,14 +2,29 @@
 
 from __future__ import annotations
 
+import csv
+import io
 import json
+import math
 import os
-from typing import Any, Sequence
+from typing import Any, Mapping, Sequence
+
+import numpy as np
+import numpy.typing as npt
 
 from . import _linkwright
 from .linkages import Linkage, linkage_of, write_file
 from .records import Record, record_of
 from .region import Kept, Region, Views
+
+
+def _curves_of(table: str) -> dict[str, dict[str, npt.NDArray[np.float64]]]:
+    """The columns of a table of curves, by its first one."""
+    heads, *rows = csv.reader(io.StringIO(table))
+    by_case: dict[str, list[list[float]]] = {}
+    for name, *numbers in rows:
+        by_case.setdefault(name, []).append([float(number) if number else math.nan for number in numbers])
+    return {name: dict(zip(heads[1:], np.array(found).T)) for name, found in by_case.items()}
 
 
 class Answer:
@@ -128,6 +143,51 @@ class Answer:
         number = linkage.number if isinstance(linkage, Linkage) else linkage
         text, svg = _linkwright.tolerance(self._result_text(), number, length, samples, seed)
         return record_of(json.loads(text)["tolerance"], lambda: svg)
+
+    def loads(self, linkage: Linkage | int = 1, *, case: str | None = None) -> Record:
+        """The forces in a linkage from position 1 to the last one, by the ``loads`` of the problem.
+
+        Args:
+            linkage: one of :attr:`linkages`, or its number, from 1.
+            case: one of the cases; all where it is not given.
+
+        Returns:
+            The ``report`` of ``linkwright loads -o``, and ``curves``: by case a dict of arrays, one value a station,
+            under the names of its table (``body_turn_deg``, ``open_N``, ``close_N``, …; NaN where there is none).
+            ``_repr_svg_()`` draws it.
+
+        Raises:
+            ProblemError: the problem has no loads or no such case, or the linkage does not get through its positions
+                in order without a dead point.
+        """
+        number = linkage.number if isinstance(linkage, Linkage) else linkage
+        text, table, svg = _linkwright.loads(self._result_text(), number, case)
+        report = json.loads(text)["report"]
+        report["curves"] = _curves_of(table)
+        return record_of(report, lambda: svg)
+
+    def place_spring(
+        self, boxes: Mapping[str, Any], linkage: Linkage | int = 1, *, catalogue: Mapping[str, Any] | None = None
+    ) -> Record:
+        """Where a gas spring between ground and body helps the hand most, its studs in two boxes, and the proof.
+
+        Ctrl-C stops it (KeyboardInterrupt).
+
+        Args:
+            boxes: what ``linkwright loads --place-springs`` reads: ``spring``, ``ground``, ``body``, ``max_F1``, …
+            linkage: one of :attr:`linkages`, or its number, from 1.
+            catalogue: what ``--catalogue`` reads; its parts are then ranked, in ``parts`` and ``missed``.
+
+        Returns:
+            ``spring``, as it may stand in the ``springs`` of loads, None where there is none (``why_not`` says why);
+            ``max_hand_force`` in newtons, ``lower_bound``, ``proven``.
+
+        Raises:
+            ProblemError: what is wrong with the boxes, the catalogue or the loads, at its place.
+        """
+        number = linkage.number if isinstance(linkage, Linkage) else linkage
+        parts = None if catalogue is None else json.dumps(catalogue)
+        return record_of(json.loads(_linkwright.place_spring(self._result_text(), number, json.dumps(boxes), parts)))
 
     def instant(self, point: Sequence[float] | None = None) -> Record:
         """Of a task of one pose with three derivatives: what that instant tells, as of :meth:`Linkage.instant`."""

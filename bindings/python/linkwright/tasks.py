@@ -191,7 +191,7 @@ class Problem:
 
     Args:
         task: one of the task classes, or the ``task`` of a problem file.
-        requirements, options, tolerances: as in problem files; they may be left out.
+        requirements, options, tolerances, loads: as in problem files; they may be left out.
         title: echoed in pictures and files.
         length_unit: echoed, never converted.
     """
@@ -200,6 +200,7 @@ class Problem:
     requirements: Mapping[str, Any] | None = None
     options: Mapping[str, Any] | None = None
     tolerances: Mapping[str, Any] | None = None
+    loads: Mapping[str, Any] | None = None
     title: str = ""
     length_unit: str = ""
 

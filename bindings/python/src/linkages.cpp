@@ -3,6 +3,8 @@
 #include <pybind11/stl.h>
 
 #include "bindings.hpp"
+#include "linkwright/analyses/load_study.hpp"
+#include "linkwright/analyses/spring_places.hpp"
 #include "linkwright/analyses/tolerance_study.hpp"
 #include "linkwright/core/angle.hpp"
 #include "linkwright/drawing/linkage_export.hpp"
@@ -13,6 +15,7 @@
 #include "linkwright/files/result_file.hpp"
 #include "linkwright/files/six_bar_file.hpp"
 #include "linkwright/machine/machine_export.hpp"
+#include "watched_work.hpp"
 
 namespace linkwright::python {
 namespace {
@@ -86,6 +89,24 @@ std::pair<std::string, std::string> tolerance(const std::string& result, int lin
   return {write_tolerance_study(listed.study), draw_tolerances(listed.study)};
 }
 
+/// Report, curves as a table, picture.
+std::tuple<std::string, std::string, std::string> loads(const std::string& result, int linkage,
+                                                        const std::optional<std::string>& of_case) {
+  const LoadStudy study = value_of(listed_loads(result, linkage, {of_case}));
+  return {write_load_study(study), load_table(study), draw_loads(study)};
+}
+
+/// A spring placed for a linkage of a result, by files' texts; `catalogue` may be nothing.
+std::string place_spring(const std::string& result, int linkage, const std::string& boxes,
+                         const std::optional<std::string>& catalogue) {
+  return watched([&](const Progress& progress) {
+    std::optional<SpringCatalogue> parts;
+    if (catalogue) parts = value_of(read_spring_catalogue(*catalogue));
+    const SpringWanted wanted = value_of(read_spring_boxes(boxes));
+    return write_placed_spring(value_of(place_listed_spring(result, linkage, wanted, parts, {}, progress)));
+  });
+}
+
 /// Content and warning; `sizes` by the names of WantedSizes.
 std::pair<py::bytes, std::string> built(const Linkage& linkage, const std::string& format,
                                         const std::map<std::string, double>& sizes,
@@ -153,6 +174,10 @@ void bind_linkages(py::module_& module) {
   module.def("tolerance", [](const std::string& result, int linkage, std::optional<double> length,
                              std::optional<int> samples, std::optional<std::int64_t> seed) {
     return without_gil([&] { return tolerance(result, linkage, length, samples, seed); });
+  });
+  module.def("place_spring", &place_spring);
+  module.def("loads", [](const std::string& result, int linkage, const std::optional<std::string>& of_case) {
+    return without_gil([&] { return loads(result, linkage, of_case); });
   });
 }
 

@@ -159,7 +159,8 @@ class LockedSession {
       const auto answer = is_result ? session.result_at({input, output}) : session.answer_at({input, output});
       if (!answer) return "";
       if (is_result) return result_of(session, *answer);
-      return linkwright::exported(stored_linkages(session.problem(), *answer).front(), format);
+      const Problem& problem = session.problem();
+      return linkwright::exported(stored_linkages(problem, *answer).front(), format, problem.options.loads);
     });
   }
   py::array offsets(int part, bool turn, double reach, int steps, int samples) {

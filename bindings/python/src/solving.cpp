@@ -1,9 +1,7 @@
-#include <condition_variable>
-#include <exception>
 #include <map>
+#include <mutex>
 #include <optional>
 #include <pybind11/stl.h>
-#include <thread>
 
 #include "bindings.hpp"
 #include "cancellation.hpp"
@@ -14,38 +12,10 @@
 #include "linkwright/files/text_file.hpp"
 #include "linkwright/region/requirement_filter.hpp"
 #include "linkwright/synthesis/solve.hpp"
+#include "watched_work.hpp"
 
 namespace linkwright::python {
 namespace {
-
-/// Work in a thread of its own, while the calling thread, which alone hears Ctrl-C, looks after Python.
-class WatchedWork {
- public:
-  explicit WatchedWork(std::function<void()> work) : thread_([this, work = std::move(work)] { run(work); }) {}
-  ~WatchedWork() { thread_.join(); }
-  WatchedWork(const WatchedWork&) = delete;
-  WatchedWork& operator=(const WatchedWork&) = delete;
-
-  /// Done before the time is over.
-  [[nodiscard]] bool wait_for(std::chrono::milliseconds time) {
-    std::unique_lock lock(mutex_);
-    return finished_.wait_for(lock, time, [this] { return is_finished_; });
-  }
-
- private:
-  void run(const std::function<void()>& work) {
-    work();
-    // Told under the lock: whoever waits may end this object as soon as it is free.
-    const std::lock_guard lock(mutex_);
-    is_finished_ = true;
-    finished_.notify_one();
-  }
-
-  std::mutex mutex_;
-  std::condition_variable finished_;
-  bool is_finished_ = false;
-  std::thread thread_;
-};
 
 /// A problem and its answer, and columns of the map as files have them, made when they are first asked for.
 class Solved {
@@ -90,38 +60,9 @@ using SharedSolved = std::shared_ptr<Solved>;
 
 SharedSolved solve(const Problem& problem, const py::object& report,
                    const std::shared_ptr<Cancellation>& cancellation) {
-  constexpr std::chrono::milliseconds between_looks{50};
-  std::atomic<double> done{0};
-  std::atomic<bool> stop{false};
-  const Progress progress{[&](double share) { done = share; }, &stop};
-  std::optional<Result<Answer>> found;
-  std::exception_ptr failed;
-  std::optional<py::error_already_set> interruption;
-  {
-    const py::gil_scoped_release free;
-    WatchedWork work([&] {
-      try {
-        found.emplace(linkwright::solve(problem, progress));
-      } catch (...) {
-        failed = std::current_exception();
-      }
-    });
-    while (!work.wait_for(between_looks)) {
-      if (cancellation->asked) stop = true;
-      if (stop) continue;
-      const py::gil_scoped_acquire python;
-      try {
-        if (PyErr_CheckSignals() != 0) throw py::error_already_set();
-        if (!report.is_none()) report(done.load());
-      } catch (py::error_already_set& error) {
-        interruption.emplace(std::move(error));
-        stop = true;
-      }
-    }
-  }
-  if (interruption) throw *std::move(interruption);
-  if (failed) std::rethrow_exception(failed);
-  return std::make_shared<Solved>(problem, value_of(*std::move(found)));
+  auto answer = watched([&](const Progress& progress) { return linkwright::solve(problem, progress); }, report,
+                        &cancellation->asked);
+  return std::make_shared<Solved>(problem, value_of(std::move(answer)));
 }
 
 Problem problem_of_file(const std::string& path) { return value_of(read_problem_file(path)); }

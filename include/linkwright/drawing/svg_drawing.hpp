@@ -8,6 +8,7 @@
 #include "linkwright/files/orientation_file.hpp"
 #include "linkwright/files/problem_file.hpp"
 #include "linkwright/files/six_bar_file.hpp"
+#include "linkwright/loads/loads.hpp"
 #include "linkwright/synthesis/answer.hpp"
 
 namespace linkwright {
@@ -16,8 +17,9 @@ namespace linkwright {
 /// region by type; the best linkage's numbers. Below 300 kB at any number of samples.
 [[nodiscard]] std::string draw_answer(const Problem& problem, const Answer& answer);
 
-/// One linkage as a picture (SVG, 1000 × 800): its positions, its dimensions, its coupler curve.
-[[nodiscard]] std::string draw_linkage(const StoredLinkage& linkage);
+/// One linkage as a picture (SVG, 1000 × 800): its positions, its dimensions, its coupler curve; of one with poses the
+/// springs and the cylinder of `loads`, and where its masses are and the hand takes hold, in position 1.
+[[nodiscard]] std::string draw_linkage(const StoredLinkage& linkage, const Loads* loads = nullptr);
 
 /// One six-bar as a picture of the same size: its positions, the path of the moving frame, its hinges and lengths.
 [[nodiscard]] std::string draw_linkage(const StoredSixBar& linkage);

@@ -7,6 +7,7 @@
 
 #include "linkwright/core/result.hpp"
 #include "linkwright/files/six_bar_file.hpp"
+#include "linkwright/loads/loads.hpp"
 #include "linkwright/machine/mesh.hpp"
 #include "linkwright/machine/plate_layers.hpp"
 
@@ -17,6 +18,7 @@ struct MachineWishes {
   WantedSizes sizes;
   std::optional<int> position;    ///< of the task, from 0, in which a STEP file shows it; the first where not given
   std::optional<double> density;  ///< kg/m³, for simulators; steel_density where not given
+  std::optional<Loads> loads{};   ///< on a four-bar: what files of mjcf and step tell with it
 };
 
 struct MachineFile {

@@ -35,7 +35,12 @@ struct PlanarOutput {
   /// least three); otherwise it stays where it was drawn.
   bool realigned = false;
   bool of_point = false;  ///< of poses: the point alone counts, and turning_length stays 0
+  double body_angle = 0;  ///< of poses: of the moving frame in the first position, radians
+  /// Of poses: of the body in each position, as the task prescribes them; none: nothing is prescribed.
+  std::vector<std::vector<PoseDerivative>> derivatives{};
 };
+/// The poses of the body, of poses: its origin is the linkage's point.
+[[nodiscard]] std::vector<PrescribedPose> poses_of(const PlanarOutput& output);
 /// The body's origin is the linkage's point.
 [[nodiscard]] PlanarOutput pose_output(std::vector<TracingFourBar> positions, double turning_length);
 /// Of bars that lie in the first of the poses; turns count as no length.

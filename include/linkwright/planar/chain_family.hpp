@@ -23,6 +23,7 @@ class ChainFamily : public LinkageFamily {
   /// Of a task; nothing without a chain, or with one that does not reach all poses.
   [[nodiscard]] static std::shared_ptr<const ChainFamily> of(const SixBarTask& task);
 
+  [[nodiscard]] const LinkageClass& linkages() const override { return unloaded_linkages; }
   [[nodiscard]] const ThreeLinkChain& chain() const { return chain_; }
   [[nodiscard]] const SixBarFamily& six_bars() const { return six_bars_; }
   /// The links of an axis; null where they are others for each link 4.

@@ -12,7 +12,7 @@ namespace linkwright {
 
 /// Function generation by a planar four-bar on two given ground pivots.
 struct FunctionTask : WantedFunction {
-  static constexpr const LinkageClass& linkages = planar_linkages;
+  static constexpr const LinkageClass& linkages = unloaded_linkages;
   static constexpr OutputKind output = OutputKind::angle;
 
   Point input_pivot = 0, output_pivot = 1;  ///< fixed frame, user's unit

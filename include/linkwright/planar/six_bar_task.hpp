@@ -38,7 +38,7 @@ struct ThreeLinkChain {
 /// are added to the chain that leave it one degree of freedom. With `chain` all such six-bars are found, without it the
 /// chain is searched for, too, all pivots in `box`.
 struct SixBarTask {
-  static constexpr const LinkageClass& linkages = planar_linkages;
+  static constexpr const LinkageClass& linkages = unloaded_linkages;
   static constexpr OutputKind output = OutputKind::pose;
 
   std::vector<PrescribedPose> poses;

@@ -25,6 +25,8 @@ struct AddedMeasure {
   };
 
   std::shared_ptr<const CellMeasure> measure;
+  /// Fills its column at once with those of the others that name the same; null: it fills its own. Of light ones.
+  std::shared_ptr<const CellMeasures> together = {};
   Cost cost = Cost::light;
   /// By how much what a map measures is to be better than a limit, so that what is listed keeps it, too; none: by
   /// nothing.
@@ -65,6 +67,7 @@ struct AddedMeasures {
                                             double own) const;
 
  private:
+  [[nodiscard]] std::vector<Measure> filled_by(const CellMeasures& together) const;
   /// What is measured at a place: finite, and with the margin what is required of it; otherwise nothing.
   [[nodiscard]] static std::optional<double> passing(const AddedMeasure& added, MapPoint place,
                                                      const Requirements& wanted);

@@ -12,6 +12,20 @@ namespace linkwright {
 
 class RegionMap;
 
+/// Numbers that are worked out together for the cells of a map.
+class CellMeasures {
+ public:
+  CellMeasures() = default;
+  CellMeasures(const CellMeasures&) = delete;
+  CellMeasures& operator=(const CellMeasures&) = delete;
+  virtual ~CellMeasures() = default;
+
+  /// Writes the cells of a row: to each measure a span with a place to each column; called from several threads.
+  using Rows = std::function<void(std::size_t row, std::span<const std::span<float>> values)>;
+  /// Of measures that are among these, and a map of the family. Refers to the map.
+  [[nodiscard]] virtual Rows rows_of(const RegionMap& map, std::span<const Measure> measures) const = 0;
+};
+
 /// A number of the linkages of a family that the family itself does not measure: what else is asked about them, such as
 /// how they are made. RegionMap::add() gives it a column.
 class CellMeasure {

@@ -32,6 +32,11 @@ enum class RequirementKind : std::uint8_t {
   full_turn,
   max_tolerance_error,
   min_yield,
+  max_open_force,
+  max_close_force,
+  min_hold_open,
+  max_pin_force,
+  max_torque,
   end  ///< none: how many there are
 };
 inline constexpr auto requirement_kind_count = static_cast<std::size_t>(RequirementKind::end);
@@ -47,7 +52,7 @@ struct Criterion {
     ground_inside,
     moving_inside
   };
-  enum class Unit : std::uint8_t { number, length, angle, share };
+  enum class Unit : std::uint8_t { number, length, angle, share, force, torque };
   /// Where Requirements has what is asked.
   using Asked = std::variant<std::vector<LinkageType> Requirements::*, bool Requirements::*, double Requirements::*,
                              std::optional<double> Requirements::*, std::optional<Box> Requirements::*,
@@ -111,7 +116,7 @@ struct Criterion {
 
 /// Requirements of one class of linkages, in the order in which they are told: each is a bit of what a cell fails.
 using RequirementKinds = std::span<const RequirementKind>;
-inline constexpr std::size_t max_requirements = 11;
+inline constexpr std::size_t max_requirements = 16;
 /// What a cell fails: a bit to each of them, from the lowest on.
 using FailureBits = std::uint16_t;
 inline constexpr FailureBits all_failures = (1u << max_requirements) - 1;

@@ -31,31 +31,43 @@ inline constexpr std::array spherical_types = {
     LinkageType::crank_rocker,  LinkageType::rocker_crank, LinkageType::double_crank, LinkageType::double_rocker,
     LinkageType::triple_rocker, LinkageType::change_point, LinkageType::degenerate};
 
-/// Those of a class, and what analyses ask of the linkages of any class.
-template <std::size_t n>
-constexpr auto with_analyses(const std::array<RequirementKind, n>& own) {
-  constexpr std::array added = {RequirementKind::max_tolerance_error, RequirementKind::min_yield};
-  static_assert(n + added.size() <= max_requirements, "a requirement is a bit of what a cell fails: raise the limit");
-  std::array<RequirementKind, n + added.size()> all{};
-  std::copy(added.begin(), added.end(), std::copy(own.begin(), own.end(), all.begin()));
-  return all;
-}
-template <std::size_t n>
-constexpr auto with_analyses(const std::array<Objective, n>& own) {
-  constexpr std::array added = {Objective::tolerance_error, Objective::yield};
-  std::array<Objective, n + added.size()> all{};
-  std::copy(added.begin(), added.end(), std::copy(own.begin(), own.end(), all.begin()));
+/// A requirement is a bit of what a cell fails: raise max_requirements where there are more.
+template <class Kind, std::size_t n, std::size_t added>
+requires(n + added <= max_requirements) constexpr auto joined(const std::array<Kind, n>& own,
+                                                              const std::array<Kind, added>& more) {
+  std::array<Kind, n + added> all{};
+  std::copy(more.begin(), more.end(), std::copy(own.begin(), own.end(), all.begin()));
   return all;
 }
 
-inline constexpr auto planar_requirements = with_analyses(
+/// Those of a class, and what analyses ask of the linkages of any class.
+template <std::size_t n>
+constexpr auto with_analyses(const std::array<RequirementKind, n>& own) {
+  return joined(own, std::array{RequirementKind::max_tolerance_error, RequirementKind::min_yield});
+}
+template <std::size_t n>
+constexpr auto with_analyses(const std::array<Objective, n>& own) {
+  return joined(own, std::array{Objective::tolerance_error, Objective::yield});
+}
+
+/// What analyses ask of linkages that carry loads: those of the plane with a guided body.
+inline constexpr std::array load_requirements = {RequirementKind::max_open_force, RequirementKind::max_close_force,
+                                                 RequirementKind::min_hold_open, RequirementKind::max_pin_force,
+                                                 RequirementKind::max_torque};
+inline constexpr std::array load_objectives = {Objective::hand_force, Objective::hold_open, Objective::pin_force,
+                                               Objective::torque};
+
+inline constexpr auto unloaded_requirements = with_analyses(
     std::array{RequirementKind::types, RequirementKind::no_defects, RequirementKind::min_transmission_angle,
                RequirementKind::max_link_ratio, RequirementKind::max_length, RequirementKind::min_length,
                RequirementKind::ground_pivots_within, RequirementKind::moving_pivots_within});
-inline constexpr auto path_requirements = with_analyses(std::array{
-    RequirementKind::types, RequirementKind::no_defects, RequirementKind::min_transmission_angle,
-    RequirementKind::max_link_ratio, RequirementKind::max_length, RequirementKind::min_length,
-    RequirementKind::ground_pivots_within, RequirementKind::moving_pivots_within, RequirementKind::full_turn});
+inline constexpr auto planar_requirements = joined(unloaded_requirements, load_requirements);
+inline constexpr auto path_requirements = joined(
+    with_analyses(std::array{
+        RequirementKind::types, RequirementKind::no_defects, RequirementKind::min_transmission_angle,
+        RequirementKind::max_link_ratio, RequirementKind::max_length, RequirementKind::min_length,
+        RequirementKind::ground_pivots_within, RequirementKind::moving_pivots_within, RequirementKind::full_turn}),
+    load_requirements);
 inline constexpr auto spherical_requirements = with_analyses(
     std::array{RequirementKind::types, RequirementKind::no_defects, RequirementKind::min_transmission_angle,
                RequirementKind::min_link_angle, RequirementKind::max_link_angle, RequirementKind::fixed_axes_within,
@@ -68,15 +80,21 @@ inline constexpr auto straight_line_objectives =
     with_analyses(std::array{Objective::stroke, Objective::deviation, Objective::min_transmission_angle,
                              Objective::size, Objective::velocity_uniformity});
 inline constexpr auto path_objectives =
-    with_analyses(std::array{Objective::min_transmission_angle, Objective::link_ratio, Objective::size});
-inline constexpr auto planar_objectives = with_analyses(
+    joined(with_analyses(std::array{Objective::min_transmission_angle, Objective::link_ratio, Objective::size}),
+           load_objectives);
+inline constexpr auto unloaded_objectives = with_analyses(
     std::array{Objective::min_transmission_angle, Objective::link_ratio, Objective::size, Objective::structural_error});
+inline constexpr auto planar_objectives = joined(unloaded_objectives, load_objectives);
 inline constexpr auto spherical_objectives =
     with_analyses(std::array{Objective::min_transmission_angle, Objective::link_angle, Objective::structural_error});
 }  // namespace class_members
 
 inline constexpr LinkageClass planar_linkages = {class_members::planar_types, class_members::planar_requirements,
                                                  class_members::planar_objectives};
+/// Of them those that carry no loads: generators of functions, and six-bars. What is asked of them are the first of
+/// what is asked of planar linkages, in the same order, so that what a cell fails has the same bits.
+inline constexpr LinkageClass unloaded_linkages = {class_members::planar_types, class_members::unloaded_requirements,
+                                                   class_members::unloaded_objectives};
 inline constexpr LinkageClass path_linkages = {class_members::planar_types, class_members::path_requirements,
                                                class_members::path_objectives};
 inline constexpr LinkageClass spherical_linkages = {

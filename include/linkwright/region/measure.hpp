@@ -57,6 +57,17 @@ inline constexpr Measure contact_coefficient{"contact_coefficient"};
 inline constexpr Measure tolerance_error{.key = "tolerance_error", .is_added = true};
 /// Share of sampled linkages that assemble and keep the limit in all positions; NaN where it is not computed.
 inline constexpr Measure yield{.key = "yield", .larger_is_better = true, .is_added = true};
+/// Under loads, the worst of the cases that count, over the travel: N (at the positions of a map and between them, by
+/// LoadMeasures), infinite with a defect. Of opening and closing the hand's largest force and the larger of both, what
+/// holds the last position open, the largest force of a pin, the largest torque of the driving crank (N·m), the
+/// cylinder's largest force.
+inline constexpr Measure max_open_force{.key = "max_open_force", .is_added = true};
+inline constexpr Measure max_close_force{.key = "max_close_force", .is_added = true};
+inline constexpr Measure hand_force{.key = "hand_force", .is_added = true};
+inline constexpr Measure hold_open{.key = "hold_open", .larger_is_better = true, .is_added = true};
+inline constexpr Measure max_pin_force{.key = "max_pin_force", .is_added = true};
+inline constexpr Measure max_torque{.key = "max_torque", .is_added = true};
+inline constexpr Measure cylinder_force{.key = "cylinder_force", .is_added = true};
 /// Of several linkages at a place the one that is shown, by the number of its layer, from 1.
 inline constexpr Measure layer{"layer"};
 /// Angle that the driver turns from the first to the last position; every map computes it, none keeps it.

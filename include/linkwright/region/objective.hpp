@@ -13,7 +13,8 @@ namespace linkwright {
 /// generators of a named function the smallest structural error, which no map holds: its cells are ranked by the
 /// transmission angle; of spherical linkages the largest least link angle; of linkages with a straight line the longest
 /// usable length over the longest link, the least deviation, the most even velocity; of all that
-/// are made with tolerances the least error by them, the largest yield.
+/// are made with tolerances the least error by them, the largest yield; of all that carry loads the least hand force,
+/// the best hold, the least force of a pin, the least torque.
 enum class Objective {
   min_transmission_angle,
   link_ratio,
@@ -25,6 +26,10 @@ enum class Objective {
   velocity_uniformity,
   tolerance_error,
   yield,
+  hand_force,
+  hold_open,
+  pin_force,
+  torque,
   end  ///< none: how many there are
 };
 /// All there are.

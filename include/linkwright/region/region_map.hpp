@@ -138,6 +138,8 @@ class RegionMap {
   /// A column of a further measure, or the one of its key anew. Rows left out because `progress` was cancelled keep 0.
   /// Throws std::bad_alloc.
   void add(const CellMeasure& measure, const Progress& progress = {});
+  /// Of several, row by row.
+  void add(std::span<const Measure> measures, const CellMeasures::Rows& fill, const Progress& progress = {});
 
   [[nodiscard]] std::size_t rows() const { return rows_; }
   [[nodiscard]] std::size_t columns() const { return columns_; }
@@ -190,6 +192,8 @@ class RegionMap {
     return drivers_[drivers_.size() == rows_ ? row : index(row, column)];
   }
   void put(std::size_t row, std::size_t column, const MapCell& verdict);
+  /// Of zeros; added where there is none.
+  [[nodiscard]] float* column_of(const Measure& measure);
 
   std::size_t rows_ = 0, columns_ = 0;
   int threads_ = 0;

@@ -78,7 +78,11 @@ struct Requirements {
   bool full_turn = false;                   ///< the input is a crank: it turns fully
   /// By tolerances, as Measure tolerance_error has it: user's unit, of functions and spherical linkages degrees.
   double max_tolerance_error = unlimited;
-  double min_yield = 0;           ///< share of linkages made with errors that are good, in [0, 1]; 0: any
+  double min_yield = 0;  ///< share of linkages made with errors that are good, in [0, 1]; 0: any
+  // By loads, N and N·m.
+  double max_open_force = unlimited, max_close_force = unlimited;
+  double min_hold_open = -unlimited;
+  double max_pin_force = unlimited, max_torque = unlimited;
   bool respect_direction = true;  ///< poses with derivatives are passed in their direction
 };
 

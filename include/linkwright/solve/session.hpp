@@ -134,9 +134,9 @@ class Session {
   [[nodiscard]] std::optional<MapPoint> improved(MapPoint place) const;
   /// The answer that lists the linkage at a place alone, driven through; nothing where there is none.
   [[nodiscard]] std::optional<Answer> answer_at(MapPoint place) const;
-  /// The same for a result file: with what tolerances do to it, whatever it misses.
+  /// The same for a result file: with what analyses find of it, whatever it misses.
   [[nodiscard]] std::optional<Answer> result_at(MapPoint place) const;
-  /// How the linkage at a place lies in the positions of the task, its turning length set; nothing without tolerances.
+  /// How the linkage at a place lies in the positions of the task, with tolerances its turning length set.
   [[nodiscard]] std::optional<LinkageOutput> output_at(MapPoint place) const;
   /// The best of the whole map, by solve(). Yields by fewer samples.
   [[nodiscard]] Result<Answer> best(int most) const;
@@ -153,6 +153,7 @@ class Session {
   [[nodiscard]] std::vector<FailureBits> failures(RegionMap& map, std::span<const double> input,
                                                   std::span<const double> output) const;
   [[nodiscard]] FailureBits failures_at(MapPoint place);
+  [[nodiscard]] FailureBits bit_of(RequirementKind kind) const;
 
   struct Drawn {
     LinkPolygon input, output;

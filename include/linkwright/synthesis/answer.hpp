@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "linkwright/core/result.hpp"
+#include "linkwright/loads/load_report.hpp"
 #include "linkwright/mechanism/four_bar.hpp"
 #include "linkwright/planar/chain_family.hpp"
 #include "linkwright/planar/four_bar_solution.hpp"
@@ -59,9 +60,11 @@ struct Findings {
   std::int64_t left_out = 0;                        ///< of the best: driving does not confirm them; a warning says so
   std::vector<std::vector<RequirementKind>> fails;  ///< options.at: by linkages, the requirements that each fails
   std::vector<ParetoCell> pareto;                   ///< options.pareto: the whole front of the map
-  AddedMeasures added;                              ///< of options.tolerances, of the map
+  AddedMeasures added;                              ///< of options.tolerances and loads, of the map
   /// With tolerances, by linkages: what they do to each; nothing at a dead point.
   std::vector<std::optional<ToleranceReport>> tolerance;
+  /// With loads, by linkages: the forces in each; nothing where a dead point keeps it from the task.
+  std::vector<std::optional<LoadReport>> loads;
   std::vector<Relaxation> relax;                  ///< when no linkage meets the requirements, dearest first
   std::optional<JointRelaxation> relax_together;  ///< when relaxing one requirement alone would leave nothing either
 };

@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "linkwright/core/result.hpp"
+#include "linkwright/loads/loads.hpp"
 #include "linkwright/planar/six_bar_synthesis.hpp"
 #include "linkwright/region/best_cells.hpp"
 #include "linkwright/region/map_axis.hpp"
@@ -41,6 +42,7 @@ struct SynthesisOptions {
 
   std::optional<Tolerances> tolerances;  ///< how linkages are made; nothing: exactly
   bool measure_yields = true;            ///< of the map's cells, even where nothing asks for them
+  std::optional<Loads> loads;            ///< what acts on the linkages; nothing: nothing
 
   RegionOptions region;
 };

@@ -95,7 +95,8 @@ double margin_of_yield(double required, int samples) {
 AddedMeasures tolerance_measures(const LinkageFamily& family, const Tolerances& tolerances, bool with_sampled) {
   using Cost = AddedMeasure::Cost;
   const Cost of_error = family.outputs_take_long() ? Cost::heavy : Cost::light;
-  AddedMeasures added{{{std::make_shared<OutputError>(family, tolerances), of_error}}};
+  AddedMeasures added;
+  added.all.push_back({.measure = std::make_shared<OutputError>(family, tolerances), .cost = of_error});
   if (!tolerances.limit || !with_sampled) return added;
   Tolerances coarse = tolerances;
   coarse.samples = std::min(tolerances.samples, map_samples);

@@ -1,10 +1,8 @@
-#include <algorithm>
 #include <fmt/format.h>
 #include <limits>
-#include <numeric>
 
+#include "analyses/listed_again.hpp"
 #include "linkwright/core/angle.hpp"
-#include "linkwright/region/criterion.hpp"
 #include "synthesis/listed_linkages.hpp"
 #include "tolerance_analysis.hpp"
 
@@ -27,22 +25,17 @@ std::optional<double> listed(const ToleranceReport& report, const Measure& measu
   return report.sampled.yield ? std::optional(report.sampled.yield->share) : std::nullopt;
 }
 
-bool meets(const std::optional<ToleranceReport>& report, const Requirements& wanted) {
-  return std::all_of(criteria().begin(), criteria().end(), [&](const Criterion& asked) {
-    if (!asked.of || !is_ours(*asked.of) || !asked.has_limit(wanted)) return true;
-    const auto measured = report ? listed(*report, *asked.of) : std::nullopt;
-    return measured && asked.is_met_by(*measured, asked.limit(wanted));
-  });
+ListedMeasures listed_measures(const Findings& found) {
+  return {is_ours, [&found](std::size_t linkage, const Measure& measure) {
+            const auto& report = found.tolerance[linkage];
+            return report ? listed(*report, measure) : std::nullopt;
+          }};
 }
 
 void leave_out_what_fails(Answer& answer) {
   Findings& found = findings(answer);
-  std::vector<std::size_t> kept;
-  for (std::size_t i = 0; i < found.tolerance.size(); ++i)
-    if (meets(found.tolerance[i], found.requirements)) kept.push_back(i);
-  const std::size_t count = found.tolerance.size() - kept.size();
+  const std::size_t count = leave_out_what_fails(answer, listed_measures(found)).count;
   if (count == 0) return;
-  list_again(answer, kept);
   found.warnings.push_back(
       {"left_out_by_tolerances",
        fmt::format("{} of the best {} discarded: by the solution region, which knows few samples, {} what is required "
@@ -62,14 +55,8 @@ void report_tolerances(Answer& answer, const Progress& progress) {
                                       : std::nullopt);
   }
   if (!found.options.at && !progress.is_cancelled()) leave_out_what_fails(answer);
-  if (!is_ours(measure_of(found.options.objective)) || found.options.at || found.options.pareto) return;
-  std::vector<std::size_t> order(found.tolerance.size());
-  std::iota(order.begin(), order.end(), std::size_t{0});
-  std::stable_sort(order.begin(), order.end(), [&](std::size_t a, std::size_t b) {
-    return score_of(found.tolerance[a], found.options.objective) >
-           score_of(found.tolerance[b], found.options.objective);
-  });
-  list_again(answer, order);
+  rank_again(answer, listed_measures(found),
+             [&](std::size_t i) { return score_of(found.tolerance[i], found.options.objective); });
 }
 
 }  // namespace linkwright

@@ -1,10 +1,9 @@
 #include "linkwright/analyses/tolerance_study.hpp"
 
-#include <algorithm>
 #include <fmt/format.h>
 
+#include "analyses/listed_place.hpp"
 #include "files/listed_problem.hpp"
-#include "linkwright/synthesis/solve.hpp"
 #include "synthesis/listed_linkages.hpp"
 #include "tolerance_analysis.hpp"
 
@@ -28,20 +27,6 @@ Result<Tolerances> changed_tolerances(const Problem& problem, const ToleranceCha
   return mistakes.empty() ? Result<Tolerances>(tolerances) : Result<Tolerances>(mistakes);
 }
 
-/// Which of the linkages at the place.
-std::size_t place_in(const Answer& answer, int layer) {
-  const auto is_there = [&](const auto& linkage) {
-    if constexpr (requires { linkage.place.layer; }) return linkage.place.layer == layer;
-    return true;  // there is one only
-  };
-  return std::visit(
-      [&](const auto& of_kind) {
-        const auto found = std::find_if(of_kind.linkages.begin(), of_kind.linkages.end(), is_there);
-        return found == of_kind.linkages.end() ? 0 : static_cast<std::size_t>(found - of_kind.linkages.begin());
-      },
-      answer);
-}
-
 }  // namespace
 
 ToleranceStudy tolerance_study(const Problem& problem, const Answer& answer, std::size_t place) {
@@ -54,24 +39,18 @@ ToleranceStudy tolerance_study(const Problem& problem, const Answer& answer, std
 Result<ListedStudy> listed_study(std::string_view text, int linkage, const ToleranceChanges& changes) {
   auto listed = read_listed_problem(text, linkage);
   if (!listed) return listed.errors();
-  Problem& problem = listed->problem;
-  const auto tolerances = changed_tolerances(problem, changes);
+  const auto tolerances = changed_tolerances(listed->problem, changes);
   if (!tolerances) return tolerances.errors();
-  problem.options.tolerances = *tolerances;
-  problem.options.region_samples = SynthesisOptions::min_samples;  // of the map only one place is looked at
-  auto solved = solve(problem);
+  listed->problem.options.tolerances = *tolerances;
+  auto solved = solved_place(std::move(listed->problem), listed->layer);
   if (!solved) return solved.errors();
-  const Findings& found = findings(*solved);
-  const std::size_t place = place_in(*solved, listed->layer);
-  if (place >= found.tolerance.size())
-    return Error{"no_place", "linkages",
-                 "at the place of this linkage its problem has none any more; solve the problem anew"};
-  if (!found.tolerance[place])
+  auto& [problem, answer, place] = *solved;
+  if (!findings(answer).tolerance[place])
     return Error{"no_sensitivity", "linkages",
                  "this linkage stands at a dead point in one of its positions, where errors have no bound"};
-  ToleranceStudy study = tolerance_study(problem, *solved, place);
+  ToleranceStudy study = tolerance_study(problem, answer, place);
   study.title += fmt::format("{}linkage {}", study.title.empty() ? "" : ", ", linkage);
-  return ListedStudy{std::move(problem), std::move(solved).value(), place, std::move(study)};
+  return ListedStudy{std::move(problem), std::move(answer), place, std::move(study)};
 }
 
 }  // namespace linkwright

@@ -8,12 +8,14 @@
 #include "dxf_writer.hpp"
 #include "linkwright/core/angle.hpp"
 #include "linkwright/files/csv_table.hpp"
+#include "loads/carried.hpp"
 
 namespace linkwright {
 namespace {
 
 constexpr std::string_view ground = "GROUND", input = "INPUT", coupler = "COUPLER", output = "OUTPUT",
-                           coupler_curve = "COUPLER_CURVE";
+                           coupler_curve = "COUPLER_CURVE", springs_layer = "SPRINGS", cylinder_layer = "CYLINDER",
+                           masses_layer = "MASSES", handle_layer = "HANDLE";
 
 /// Radius of the pin holes: small against the shortest link, visible against the longest.
 double drawn_pin_radius(const LinkLengths& lengths) {
@@ -52,11 +54,34 @@ void draw_coupler_curve(DxfWriter& dxf, const StoredLinkage& linkage) {
   dxf.polyline(coupler_curve, path, true);
 }
 
+/// Both studs, and the line between them.
+void draw_strut(DxfWriter& dxf, std::string_view layer, const LoadMarks::Strut& strut, double radius) {
+  dxf.circle(layer, strut.from, radius);
+  dxf.circle(layer, strut.to, radius);
+  dxf.line(layer, strut.from, strut.to);
+}
+
+/// A circle with a cross.
+void draw_mark(DxfWriter& dxf, std::string_view layer, Point at, double radius) {
+  dxf.circle(layer, at, radius);
+  for (const Point arm : {Point{1.5 * radius, 0}, Point{0, 1.5 * radius}}) dxf.line(layer, at - arm, at + arm);
+}
+
+void draw_loads(DxfWriter& dxf, const LoadMarks& marks, double radius) {
+  for (const LoadMarks::Strut& spring : marks.springs) draw_strut(dxf, springs_layer, spring, radius);
+  if (marks.cylinder) draw_strut(dxf, cylinder_layer, *marks.cylinder, radius);
+  for (const Point mass : marks.masses) draw_mark(dxf, masses_layer, mass, radius);
+  if (marks.handle) draw_mark(dxf, handle_layer, *marks.handle, radius);
+}
+
 }  // namespace
 
-std::string draw_dxf(const StoredLinkage& linkage) {
-  DxfWriter dxf(insert_units(linkage.length_unit),
-                {{ground, 8}, {input, 5}, {coupler, 7}, {output, 30}, {positions_layer, 9}, {coupler_curve, 3}});
+std::string draw_dxf(const StoredLinkage& linkage, const Loads* loads) {
+  std::vector<DxfLayer> layers = {{ground, 8},  {input, 5},           {coupler, 7},
+                                  {output, 30}, {positions_layer, 9}, {coupler_curve, 3}};
+  if (loads) layers.insert(layers.end(), {{springs_layer, 1}, {masses_layer, 6}, {handle_layer, 4}});
+  if (loads && loads->drive == LoadDrive::cylinder) layers.push_back({cylinder_layer, 2});
+  DxfWriter dxf(insert_units(linkage.length_unit), layers);
   const FourBar& bars = linkage.four_bar;
   const LinkLengths lengths = bars.lengths();
   const double radius = drawn_pin_radius(lengths);
@@ -66,6 +91,7 @@ std::string draw_dxf(const StoredLinkage& linkage) {
   draw_link(dxf, output, bars.output_fixed, bars.output_moving, radius);
   draw_positions(dxf, linkage, 0.12 * lengths.longest());
   draw_coupler_curve(dxf, linkage);
+  if (loads) draw_loads(dxf, marks_of(*loads, bars, linkage.poses.front().pose), radius);
   return dxf.file();
 }
 

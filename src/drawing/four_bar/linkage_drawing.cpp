@@ -9,6 +9,7 @@
 #include "linkwright/files/label.hpp"
 #include "linkwright/files/number_text.hpp"
 #include "linkwright/mechanism/linkage_type.hpp"
+#include "loads/carried.hpp"
 
 namespace linkwright {
 namespace {
@@ -42,10 +43,33 @@ void draw_positions(SvgCanvas& svg, const PlaneWindow& window, const StoredLinka
   draw_body(svg, window, linkage.four_bar, traced);
 }
 
-void draw_scene(SvgCanvas& svg, const StoredLinkage& linkage) {
+void draw_strut(SvgCanvas& svg, const PlaneWindow& window, const LoadMarks::Strut& strut, std::string_view color) {
+  const Point from = window.to_px(strut.from), to = window.to_px(strut.to);
+  svg.line(from, to, stroke(color, 3));
+  for (const Point stud : {from, to}) svg.circle(stud, 4, fill(palette::paper) + " " + stroke(color, 1.6));
+}
+
+/// A centre of mass.
+void draw_mass(SvgCanvas& svg, Point at) {
+  constexpr double radius = 6;
+  svg.circle(at, radius, fill(palette::paper) + " " + stroke(palette::ink2, 1.4));
+  for (const Point arm : {Point{radius, 0}, Point{0, radius}}) svg.line(at - arm, at + arm, stroke(palette::ink2, 1.4));
+}
+
+void draw_loads(SvgCanvas& svg, const PlaneWindow& window, const LoadMarks& marks) {
+  for (const LoadMarks::Strut& spring : marks.springs) draw_strut(svg, window, spring, palette::link_2);
+  if (marks.cylinder) draw_strut(svg, window, *marks.cylinder, palette::link_5);
+  for (const Point mass : marks.masses) draw_mass(svg, window.to_px(mass));
+  if (marks.handle) svg.circle(window.to_px(*marks.handle), 6, fill("none") + " " + stroke(palette::accent, 2.4));
+}
+
+void draw_scene(SvgCanvas& svg, const StoredLinkage& linkage, const LoadMarks& marks) {
   const FourBar& bars = linkage.four_bar;
   const PixelBox inside{card.left + 1, card.top + 1, card.width - 2, card.height - 2};
-  const PlaneWindow window(inside, points_of_interest(linkage), 76);
+  std::vector<Point> points = points_of_interest(linkage);
+  const std::vector<Point> loaded = marks.points();
+  points.insert(points.end(), loaded.begin(), loaded.end());
+  const PlaneWindow window(inside, points, 76);
   svg.begin_clip(inside.corner(), inside.width, inside.height);
   draw_grid(svg, window);
   draw_ground_line(svg, window, bars);
@@ -56,6 +80,7 @@ void draw_scene(SvgCanvas& svg, const StoredLinkage& linkage) {
     draw_pose(svg, window, linkage.poses[pose].pose, pose + 1, pose == 0);
   }
   draw_pins(svg, window, bars);
+  draw_loads(svg, window, marks);
   draw_dimensions(svg, window, bars);
   draw_scale_bar(svg, window, {card.left + 24, card.bottom() - 22}, linkage.length_unit);
   svg.end_group();
@@ -89,12 +114,13 @@ void draw_arm_rows(SvgCanvas& svg, Point corner, const TracingFourBar& linkage) 
 
 }  // namespace
 
-std::string draw_linkage(const StoredLinkage& linkage) {
+std::string draw_linkage(const StoredLinkage& linkage, const Loads* loads) {
   const FourBar& bars = linkage.four_bar;
+  const LoadMarks marks = loads ? marks_of(*loads, bars, linkage.poses.front().pose) : LoadMarks{};
   SvgCanvas svg = linkage_sheet::begin(linkage.title.empty() ? "Four-bar linkage" : linkage.title,
                                        label(linkage_type(bars.lengths())));
   draw_card(svg, card, "");
-  linkage.point ? draw_scene(svg, {bars, *linkage.point}, linkage.length_unit) : draw_scene(svg, linkage);
+  linkage.point ? draw_scene(svg, {bars, *linkage.point}, linkage.length_unit) : draw_scene(svg, linkage, marks);
   draw_card(svg, strip, "");
   const double rows_width = linkage.point ? 170 : 260, pivots_left = linkage.point ? 226 : 400,
                pivots_width = linkage.point ? 440 : 540;

@@ -31,7 +31,8 @@ std::vector<Error> weighed(const Machine& machine, double density) {
 
 }  // namespace
 
-Result<std::string> simulator_text(const Machine& machine, std::string_view format, double density) {
+Result<std::string> simulator_text(const Machine& machine, std::string_view format, double density,
+                                   const LinkageLoads* loads) {
   if (!(density >= 1e-3 && density <= 1e6))
     return Error{"density_out_of_range",
                  "--density",
@@ -45,7 +46,7 @@ Result<std::string> simulator_text(const Machine& machine, std::string_view form
                  fmt::format("no simulator's format is called {}; there are mjcf, sdf and urdf", format),
                  {{"format", std::string(format)}}};
   if (auto errors = weighed(machine, density); !errors.empty()) return errors;
-  return format == "mjcf"  ? write_mjcf(machine, density)
+  return format == "mjcf"  ? write_mjcf(machine, density, loads)
          : format == "sdf" ? write_sdf(machine, density)
                            : write_urdf(machine, density);
 }

@@ -1,5 +1,5 @@
 // What the frame asks the analyses.
-import type {RequirementKey} from "../contract/messages";
+import type {Point, RequirementKey} from "../contract/messages";
 import type {Problem} from "../state/problem";
 import type {JsonObject} from "../state/shape";
 import type {TaskKind} from "../kinds/kind";
@@ -57,6 +57,14 @@ export function criteria_of(kind: TaskKind): Criteria {
 /** Requirements that linkages of one kind have and that mean something else of the other. */
 export function changed_requirements(kind: TaskKind, before: TaskKind): readonly RequirementKey[] {
   return analysis_modules.flatMap((analysis) => analysis.changed(kind, before));
+}
+/** With the fixed frame seen from elsewhere. */
+export function with_moved_blocks<P extends object>(problem: P, move: (point: Point) => Point): P {
+  return given_analyses(problem).reduce(
+    (moved, analysis) =>
+      analysis.moved ? with_block(moved, analysis, analysis.moved(block_of(moved, analysis)!, move)) : moved,
+    problem,
+  );
 }
 /** The analysis whose card this is. */
 export function analysis_of_card(id: string): AnalysisModule | null {

@@ -1,6 +1,9 @@
 // What an analysis shows: the frame has a place for each.
 import type {Component} from "svelte";
 import type {Linkage} from "../contract/messages";
+import type {Handle} from "../drawing/handles";
+import type {Surface} from "../drawing/surface";
+import type {Configuration} from "../figure/mechanism";
 import type {preferences} from "../state/preferences.svelte";
 import type {Problem} from "../state/problem";
 import type {Workbench} from "../state/workbench.svelte";
@@ -16,8 +19,8 @@ export interface AnalysisView {
 
   /** Among what is required: how its block is given. */
   Block: Component;
-  /** In place of the control of a requirement that needs more of the block than is given. */
-  Missing?: Component;
+  /** In place of the control of a requirement that needs more of the block than is given, by what that is. */
+  missing?: Readonly<Record<string, Component>>;
   /** Of a linkage in a line; `but`: why to be careful with it. */
   line?(linkage: Linkage, unit: string): {text: string; but: string | null} | null;
   /** Below the map, by the ids of the analysis. */
@@ -30,6 +33,8 @@ export interface AnalysisView {
   /** Under the linkage, in the plane and on the sphere. */
   Layer?: Component;
   items?(workbench: Workbench): Item[];
+  /** What can be taken hold of there, in the plane; `now`: the linkage as it stands. */
+  handles?(surface: Surface, now: Configuration | null): Handle[];
   /** What can be chosen of it there; `tells`: nothing else says what the picture shows. */
   Legend?: Component<{tells?: boolean}>;
   has_legend?(workbench: Workbench): boolean;

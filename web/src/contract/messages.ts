@@ -2,7 +2,7 @@
 // C++ engine; the page only draws and words. Angles are degrees where a name ends in _deg, else radians; lengths and
 // points are the user's unit, fixed frame; moving pivots lie as in position 1 unless said otherwise. What comes as text is
 // described by the engine itself (replies.ts); here is what comes in arrays of numbers, and what is asked.
-import type {Requirements} from "./problem";
+import type {Requirements, Spring} from "./problem";
 import {
   linkage_types,
   type Axes,
@@ -10,10 +10,12 @@ import {
   type CurveKinds,
   type Defects,
   type LinkageType,
+  type LoadsReply,
   type MachinePlan,
   type Mistake,
   type Notice,
   type PlateSizes,
+  type StudMapReply,
   type TaskReply,
   type ToleranceReply,
   type Travel,
@@ -64,6 +66,13 @@ export interface Properties {
   driver_sweep_deg: number;
   tolerance_error: number; // with tolerances: user's unit, of functions and spheres degrees
   yield: number; // with tolerances and a limit, as far as it is sampled
+  hand_force: number; // with loads: N, the worst of the cases that count
+  max_open_force: number;
+  max_close_force: number;
+  hold_open: number;
+  max_pin_force: number;
+  max_torque: number; // N·m, of the driving crank
+  cylinder_force: number;
 }
 export type Property = keyof Properties;
 
@@ -198,6 +207,24 @@ export interface ToleranceAnswer extends ToleranceReply {
   drawn: Float64Array;
 }
 
+// ---- springs that are looked for --------------------------------------------------------------------------------
+
+/** What a search of a spring between two studs has come to; `why_not`: nothing. */
+export interface PlacedSpring {
+  title: string;
+  length_unit: string;
+  /** As loads have it. */
+  spring: Spring | null;
+  max_hand_force: number | null; // N, over the whole travel, all friction counted
+  at_stations: number | null; // of some places of the travel: what the bound is to be compared with
+  lower_bound: number | null; // nothing in the boxes is below
+  proven: boolean;
+  places: number | null;
+  boxes: number | null;
+  why_not?: Omit<Notice, "values"> & Partial<Pick<Notice, "values">>;
+}
+export type StudEnd = "ground" | "body";
+
 // ---- as plates on pins ------------------------------------------------------------------------------------------
 
 /** Also what is drawn of it and how it moves. */
@@ -245,6 +272,12 @@ export interface Requests {
   /** With tolerances: what they do to a linkage, by all samples, with histograms of so many bins and so many samples to be
    *  drawn. */
   tolerance: {problem: string; tau: TauPair; bins: number; drawn: number};
+  /** With loads: the forces in a linkage, and their curves. */
+  loads: {problem: string; tau: TauPair};
+  /** With loads: the best spring between two boxes for its studs (BOXES.json text), in rounds of ever longer proof, each told;
+   *  the answer is that of the last. */
+  place_spring: {problem: string; tau: TauPair; boxes: string};
+  stud_map: {problem: string; tau: TauPair; boxes: string; stud: StudEnd; columns: number; rows: number};
   /** Samples the yields of so many more cells of the map explored last; `explore` then shows what is known. */
   yields: {problem: string; cells: number};
   /** The cells of the map explored last that no other beats in both objectives. */
@@ -285,6 +318,9 @@ export interface Replies {
   improve: {tau: TauPair; improved: boolean};
   verify: {verified: boolean; residual: number};
   tolerance: ToleranceAnswer | Record<"tolerance", null>; // null: no tolerances, or a dead point
+  loads: LoadsReply | Record<"loads", null>; // null: no loads, or it does not get through its positions in order
+  place_spring: {placed: PlacedSpring | null}; // null: it does not get through its positions in order
+  stud_map: {map: StudMapReply | null}; // the other stud in the middle of its box
   yields: {done: number; total: number}; // cells that meet all else
   front: {front: [row: number, column: number, first: number, second: number][]}; // the best by the first one first
   trace: {points: Float64Array}; // 2K, one per drive state
@@ -299,6 +335,7 @@ export type Kind = keyof Requests;
 /** What a job tells on its way, of those that do. */
 export interface Tidings {
   search: {rounds: number; found: Replies["best"]}; // rounds that are through, and what the last of them found
+  place_spring: {found: PlacedSpring};
 }
 export type TidingsOf<K extends Kind> = K extends keyof Tidings ? Tidings[K] : never;
 

@@ -8,6 +8,7 @@ export interface Problem {
   task: Task;
   requirements?: Requirements;
   tolerances?: Tolerances | null;
+  loads?: Loads;
   options?: Options;
   /** The workbench's own; kept. Of it the program reads only the `outline`, which it draws: corners [x, y] of the guided body in the moving frame. */
   view?: object;
@@ -394,6 +395,16 @@ export interface Requirements {
   max_tolerance_error?: number | null;
   /** Least share of sampled linkages that assemble and keep the limit in all positions. Needs tolerances with a limit; off where it is not given. */
   min_yield?: number | null;
+  /** Loads: largest force of the hand while opening, N; a negative one: it is never needed. */
+  max_open_force?: number | null;
+  /** Loads: largest force of the hand while closing, N. */
+  max_close_force?: number | null;
+  /** Loads: least force that holds the last position open, N: with it the body still rises by itself. */
+  min_hold_open?: number | null;
+  /** Loads: largest force of a pin, N. */
+  max_pin_force?: number | null;
+  /** Loads, driven by a crank: its largest torque, N·m. */
+  max_torque?: number | null;
   /** Poses with derivatives are passed in the direction of the first one, not against it. */
   respect_direction?: boolean;
 }
@@ -439,15 +450,177 @@ export interface Tolerances {
   /** Of the samples: the same one gives the same answer. */
   seed?: number;
 }
+export interface Gravity {
+  /** Of a level ground. */
+  direction_deg?: number;
+  /** m/s². */
+  acceleration?: number;
+}
+export interface BodyMass {
+  /** kg. */
+  mass: number;
+  /** In the moving frame. */
+  center?: readonly [number, number];
+  /** About the centre, kg·m². */
+  inertia?: number;
+}
+export type LinkMass = {
+  /** [along, across] from the fixed pivot; the middle where it is not given. */
+  center?: readonly [number, number];
+  /** About the centre, kg·m². */
+  inertia?: number;
+} & ({
+  /** A thin rod from pivot to pivot. */
+  kg_per_m: number;
+} | {
+  /** kg. */
+  mass: number;
+});
+export interface LinkMasses {
+  input?: LinkMass;
+  coupler?: LinkMass;
+  output?: LinkMass;
+}
+export const loaded_bodys = ["ground","input","body","coupler","output"] as const;
+export type LoadedBody = (typeof loaded_bodys)[number];
+export type ExtraLoad = {
+  name: string;
+  /** On the body points are told in the moving frame, on the ground in the fixed frame, on a link along and across it from its fixed pivot towards the moving one, the coupler's from its pivot at the input. */
+  on: LoadedBody;
+  at: readonly [number, number];
+  /** In every case; otherwise in those that name it. */
+  always?: boolean;
+} & ({
+  /** kg. */
+  mass: number;
+} | {
+  /** N. */
+  force: readonly [number, number];
+  /** In which the force keeps its components. */
+  frame?: "fixed" | "body";
+});
+export interface FixedDirection {
+  fixed_deg: number;
+}
+export interface Handle {
+  /** In the moving frame. */
+  point: readonly [number, number];
+  /** Which way the hand pulls: as the point moves, against gravity, or at an angle in the fixed frame. */
+  direction?: "tangential" | "vertical" | FixedDirection;
+}
+export interface CarriedPoint {
+  /** On the body points are told in the moving frame, on the ground in the fixed frame, on a link along and across it from its fixed pivot towards the moving one, the coupler's from its pivot at the input. */
+  on: LoadedBody;
+  at: readonly [number, number];
+}
+/** As catalogues have it (GB/T 25751). */
+export interface GasSpring {
+  kind: "gas";
+  from: CarriedPoint;
+  to: CarriedPoint;
+  extended_length: number;
+  stroke: number;
+  /** How far before both ends the forces are measured; 5 mm where it is not given. */
+  measured_at?: number;
+  /** Extending, near the extended end, N, at 20 °C. */
+  F1: number;
+  /** Extending, near the compressed end, N. */
+  F2: number;
+  /** Compressing, near the extended end, N. */
+  F3?: number;
+  /** Compressing, near the compressed end, N. */
+  F4?: number;
+  /** Half of the difference of compressing and extending, N; in place of F3 and F4. Some sheets print the whole difference. */
+  friction?: number;
+  /** Always in millimetres; 0: not known. */
+  rod_diameter?: number;
+  /** How the force grows with the temperature, of that at 20 °C; null: as an ideal gas, 3.41. */
+  percent_per_10K?: number | null;
+}
+export interface CoilSpring {
+  kind: "coil";
+  from: CarriedPoint;
+  to: CarriedPoint;
+  /** N per unit of length. */
+  rate: number;
+  free_length: number;
+  /** Whether it can push and pull. */
+  acts?: "both" | "tension" | "compression";
+}
+export const four_bar_joints = ["input_ground","input_coupler","output_coupler","output_ground"] as const;
+export type FourBarJoint = (typeof four_bar_joints)[number];
+export interface TorsionSpring {
+  kind: "torsion";
+  joint: FourBarJoint;
+  /** N·m per degree. */
+  rate_per_deg: number;
+  /** N·m on the link that turns on the ground, or on the coupler, counter-clockwise positive. */
+  torque_at_position_1?: number;
+}
+export type Spring = {
+  name?: string;
+  /** Side by side. */
+  count?: number;
+} & (GasSpring | CoilSpring | TorsionSpring);
+export interface Pins {
+  radius: number;
+  /** Coefficient. */
+  friction: number;
+}
+export interface Cylinder {
+  from: CarriedPoint;
+  to: CarriedPoint;
+}
+export interface ByCylinder {
+  cylinder: Cylinder;
+}
+export const read_outs = ["max_open_force","max_close_force","hand_force","hold_open","close_start","hump","pop_up","self_rise","self_close","max_pin_force","max_torque","cylinder_force"] as const;
+export type ReadOut = (typeof read_outs)[number];
+export interface LoadCase {
+  name: string;
+  temperature_C?: number;
+  /** Of the ground, rising to the right: gravity turns clockwise by it. */
+  slope_deg?: number;
+  /** Loads that act in it, by name. */
+  extra?: readonly string[];
+  /** Of the springs' forces: what is left of them. */
+  spring_percent?: number;
+  /** 1 where the gas keeps its temperature, up to 1.4 where it moves too fast. */
+  gas_exponent?: number;
+  /** The read-outs for which it counts; none: all. */
+  for?: readonly ReadOut[];
+}
+/** What acts on the linkage: weights, forces, springs, a hand or a drive. */
+export interface Loads {
+  gravity?: Gravity | null;
+  /** What the body on the coupler weighs. */
+  body?: BodyMass;
+  /** What the links weigh. */
+  links?: LinkMasses;
+  /** Snow, a tool, a cutting force. */
+  extra?: readonly ExtraLoad[];
+  /** Where the hand takes hold. */
+  handle?: Handle;
+  springs?: readonly Spring[];
+  /** All alike, with friction. */
+  pins?: Pins;
+  /** What moves and holds the linkage. */
+  drive?: "hand" | "input" | "output" | ByCylinder;
+  /** Of the driver at a steady speed: adds the forces of inertia. */
+  rpm?: number | null;
+  cases?: readonly LoadCase[];
+  /** Of the travel of each linkage of a map, the positions among them. */
+  stations?: number;
+}
 export interface Options {
   /** N of the N × N region. */
   region_samples?: number;
   /** Even steps of the curve coordinate, or of the length run by circle and centre point. */
   spacing?: "coordinate" | "arc_length";
   /** What the best linkages have: the largest least transmission angle, the smallest link ratio, the smallest longest link, the smallest structural error of a named function, of spherical linkages the largest least link angle, or with tolerances the smallest error by them or the largest yield. */
-  objective?: "min_transmission_angle" | "link_ratio" | "size" | "structural_error" | "link_angle" | "stroke" | "deviation" | "velocity_uniformity" | "tolerance_error" | "yield";
+  objective?: "min_transmission_angle" | "link_ratio" | "size" | "structural_error" | "link_angle" | "stroke" | "deviation" | "velocity_uniformity" | "tolerance_error" | "yield" | "hand_force" | "hold_open" | "pin_force" | "torque";
   /** Two objectives of the map: linkages that no other beats in both are listed, instead of the best by one. */
-  pareto?: readonly ["min_transmission_angle" | "link_ratio" | "size" | "structural_error" | "link_angle" | "stroke" | "deviation" | "velocity_uniformity" | "tolerance_error" | "yield", "min_transmission_angle" | "link_ratio" | "size" | "structural_error" | "link_angle" | "stroke" | "deviation" | "velocity_uniformity" | "tolerance_error" | "yield"] | null;
+  pareto?: readonly ["min_transmission_angle" | "link_ratio" | "size" | "structural_error" | "link_angle" | "stroke" | "deviation" | "velocity_uniformity" | "tolerance_error" | "yield" | "hand_force" | "hold_open" | "pin_force" | "torque", "min_transmission_angle" | "link_ratio" | "size" | "structural_error" | "link_angle" | "stroke" | "deviation" | "velocity_uniformity" | "tolerance_error" | "yield" | "hand_force" | "hold_open" | "pin_force" | "torque"] | null;
   /** How many linkages the result lists. */
   best?: number;
   /** Straight lines: half the width of the strip in which the usable length counts; null: 1/10 000 of the longest link or arm. */

@@ -1,6 +1,6 @@
 // What the engine says to the page: generated from its fields (docs/architecture.md), not written.
 import type {Chain, Requirements} from "./problem";
-import type {Dyad, FourBar, InsideWindows, JointRelaxation, Relaxation, SixBar, SphericalDyad, SphericalFourBar, StraightLineFourBar, Tolerance} from "./result";
+import type {Dyad, FourBar, InsideWindows, JointRelaxation, LoadReport, Relaxation, SixBar, SphericalDyad, SphericalFourBar, StraightLineFourBar, Tolerance} from "./result";
 
 export interface ToldAsText {
   notice: Notice;
@@ -12,6 +12,8 @@ export interface ToldAsText {
   improve: ImprovedReply;
   verify: VerifiedReply;
   tolerance: ToleranceReply;
+  loads: LoadsReply;
+  stud_map: StudMapReply;
   yields: YieldsReply;
   front: FrontReply;
   machine: MachinePlan;
@@ -117,7 +119,7 @@ export interface TaskReply {
   /** As used, the defaults filled in (null: switched off). */
   requirements: Requirements;
 }
-export const requirement_keys = ["types","no_defects","min_transmission_angle_deg","max_link_ratio","max_length","min_length","ground_pivots_within","moving_pivots_within","min_link_angle_deg","max_link_angle_deg","fixed_axes_within","moving_axes_within","min_stroke","max_deviation","full_turn","max_tolerance_error","min_yield"] as const;
+export const requirement_keys = ["types","no_defects","min_transmission_angle_deg","max_link_ratio","max_length","min_length","ground_pivots_within","moving_pivots_within","min_link_angle_deg","max_link_angle_deg","fixed_axes_within","moving_axes_within","min_stroke","max_deviation","full_turn","max_tolerance_error","min_yield","max_open_force","max_close_force","min_hold_open","max_pin_force","max_torque"] as const;
 export type RequirementKey = (typeof requirement_keys)[number];
 export interface MissedBox {
   requirement: RequirementKey;
@@ -279,6 +281,40 @@ export interface ToleranceReply {
   /** Of the samples drawn: of a straight line its ends and the middle. */
   positions: number;
 }
+/** A value a station; null: there is none. */
+export interface LoadCurve {
+  name: string;
+  driver_turn_deg: readonly (number | null)[];
+  body_turn_deg: readonly (number | null)[];
+  /** Share of the handle's way. */
+  path: readonly (number | null)[];
+  /** Of the task, from 1. */
+  position: readonly (number | null)[];
+  /** N. */
+  open: readonly (number | null)[];
+  close: readonly (number | null)[];
+  /** N·m, of the driving crank. */
+  torque: readonly (number | null)[];
+  /** N, the largest of the four while opening. */
+  pin: readonly (number | null)[];
+}
+export interface SpringCurve {
+  name: string;
+  /** Least and largest length; null: no gas spring. */
+  stroke: readonly [number, number] | null;
+  length: readonly number[];
+}
+export interface LoadsReply {
+  loads: LoadReport;
+  curves: readonly LoadCurve[];
+  springs: readonly SpringCurve[];
+}
+export interface StudMapReply {
+  columns: number;
+  rows: number;
+  /** N by rows from low y to high y; null: nothing can be built there. */
+  force: readonly (number | null)[];
+}
 export interface YieldsReply {
   done: number;
   /** Cells that meet all else. */
@@ -358,11 +394,11 @@ export const state_width = state_columns.length;
 export const defect_bits = { order: 1, branch: 2, circuit: 4 } as const;
 /** What can be required, by kind and mechanism of the task: in this order are the bits of what a linkage or a cell fails (a degenerate cell has all set). */
 export const requirement_keys_of = {
-"motion four_bar": ["types", "no_defects", "min_transmission_angle_deg", "max_link_ratio", "max_length", "min_length", "ground_pivots_within", "moving_pivots_within", "max_tolerance_error", "min_yield"],
+"motion four_bar": ["types", "no_defects", "min_transmission_angle_deg", "max_link_ratio", "max_length", "min_length", "ground_pivots_within", "moving_pivots_within", "max_tolerance_error", "min_yield", "max_open_force", "max_close_force", "min_hold_open", "max_pin_force", "max_torque"],
 "function four_bar": ["types", "no_defects", "min_transmission_angle_deg", "max_link_ratio", "max_length", "min_length", "ground_pivots_within", "moving_pivots_within", "max_tolerance_error", "min_yield"],
 "motion six_bar": ["types", "no_defects", "min_transmission_angle_deg", "max_link_ratio", "max_length", "min_length", "ground_pivots_within", "moving_pivots_within", "max_tolerance_error", "min_yield"],
 "motion spherical_four_bar": ["types", "no_defects", "min_transmission_angle_deg", "min_link_angle_deg", "max_link_angle_deg", "fixed_axes_within", "moving_axes_within", "max_tolerance_error", "min_yield"],
 "function spherical_four_bar": ["types", "no_defects", "min_transmission_angle_deg", "min_link_angle_deg", "max_link_angle_deg", "fixed_axes_within", "moving_axes_within", "max_tolerance_error", "min_yield"],
 "straight_line four_bar": ["types", "min_transmission_angle_deg", "max_link_ratio", "max_length", "ground_pivots_within", "moving_pivots_within", "min_stroke", "max_deviation", "max_tolerance_error", "min_yield"],
-"path four_bar": ["types", "no_defects", "min_transmission_angle_deg", "max_link_ratio", "max_length", "min_length", "ground_pivots_within", "moving_pivots_within", "full_turn", "max_tolerance_error", "min_yield"],
+"path four_bar": ["types", "no_defects", "min_transmission_angle_deg", "max_link_ratio", "max_length", "min_length", "ground_pivots_within", "moving_pivots_within", "full_turn", "max_tolerance_error", "min_yield", "max_open_force", "max_close_force", "min_hold_open", "max_pin_force", "max_torque"],
 } as const satisfies Record<string, readonly RequirementKey[]>;

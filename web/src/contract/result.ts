@@ -245,7 +245,7 @@ export interface TimedCognate {
   /** Its crank over this one. */
   size_ratio: number;
 }
-export const requirement_keys = ["types","no_defects","min_transmission_angle_deg","max_link_ratio","max_length","min_length","ground_pivots_within","moving_pivots_within","min_link_angle_deg","max_link_angle_deg","fixed_axes_within","moving_axes_within","min_stroke","max_deviation","full_turn","max_tolerance_error","min_yield"] as const;
+export const requirement_keys = ["types","no_defects","min_transmission_angle_deg","max_link_ratio","max_length","min_length","ground_pivots_within","moving_pivots_within","min_link_angle_deg","max_link_angle_deg","fixed_axes_within","moving_axes_within","min_stroke","max_deviation","full_turn","max_tolerance_error","min_yield","max_open_force","max_close_force","min_hold_open","max_pin_force","max_torque"] as const;
 export type RequirementKey = (typeof requirement_keys)[number];
 export interface Sensitivity {
   parameter: string;
@@ -288,6 +288,91 @@ export interface Tolerance {
   sensitivities: readonly Sensitivity[];
   /** The tolerances of least cost that keep the error; null where no cost is given, and of straight lines. */
   allocation: readonly AllocatedTolerance[] | null;
+}
+/** A place of the travel, seen from position 1. */
+export interface LoadPlace {
+  driver_turn_deg: number;
+  body_turn_deg: number;
+  /** Share of the handle's way; null without a handle. */
+  path: number | null;
+}
+export interface Equilibrium {
+  at: LoadPlace;
+  stable: boolean;
+  /** Of the driver, N·m per radian. */
+  stiffness: number;
+}
+export interface RestBand {
+  from: LoadPlace;
+  to: LoadPlace;
+}
+export interface PinPeak {
+  max: number;
+  at: LoadPlace;
+}
+export interface PinPeaks {
+  input_ground: PinPeak | null;
+  input_coupler: PinPeak | null;
+  output_coupler: PinPeak | null;
+  output_ground: PinPeak | null;
+}
+export interface SpringUse {
+  name: string;
+  length: readonly [number, number];
+  /** Of gas springs: beyond the largest compression used. */
+  stroke_left: number | null;
+  /** Where it is first too short or too long; null: nowhere. */
+  bottoms_at: LoadPlace | null;
+  /** Least change of length by the handle's way. */
+  least_lever: number | null;
+}
+export interface LoadCaseReport {
+  name: string;
+  /** N, over the travel; negative: no hand is needed. Null without a handle. */
+  max_open_force: number | null;
+  max_close_force: number | null;
+  hold_open: number | null;
+  close_start: number | null;
+  hump: number | null;
+  pop_up: number | null;
+  /** From here on it opens by itself; null: it does not. */
+  self_rise: LoadPlace | null;
+  /** From here down it closes by itself; null: it does not. */
+  self_close: LoadPlace | null;
+  equilibria: readonly Equilibrium[];
+  /** Where friction holds it. */
+  rests: readonly RestBand[];
+  pins: PinPeaks;
+  /** Of the driving crank, N·m; null: another drive. */
+  max_torque: number | null;
+  cylinder_force: number | null;
+  springs: readonly SpringUse[];
+  /** No effort moves it somewhere: friction holds it, or hand or drive act across its way. */
+  locks: boolean;
+}
+export interface WorstOfCases {
+  value: number;
+  case: string;
+}
+export interface WorstReadOuts {
+  max_open_force?: WorstOfCases;
+  max_close_force?: WorstOfCases;
+  hand_force?: WorstOfCases;
+  hold_open?: WorstOfCases;
+  close_start?: WorstOfCases;
+  hump?: WorstOfCases;
+  pop_up?: WorstOfCases;
+  self_rise?: WorstOfCases;
+  self_close?: WorstOfCases;
+  max_pin_force?: WorstOfCases;
+  max_torque?: WorstOfCases;
+  cylinder_force?: WorstOfCases;
+}
+/** The forces in the linkage from position 1 to the last one. */
+export interface LoadReport {
+  cases: readonly LoadCaseReport[];
+  /** Of the cases that count. */
+  worst: WorstReadOuts;
 }
 export interface Swapped {
   type: LinkageType;
@@ -355,6 +440,8 @@ export interface FourBar {
   fails?: readonly RequirementKey[];
   /** Only with tolerances; null at a dead point. */
   tolerance?: Tolerance | null;
+  /** Only with loads; null where the linkage does not get through its positions in order without a dead point. */
+  loads?: LoadReport | null;
   /** With a defect: which positions it parts, in words. */
   reason?: string;
   /** Functions with a free number: the value that this linkage has. */
@@ -415,6 +502,8 @@ export interface SixBar {
   fails?: readonly RequirementKey[];
   /** Only with tolerances; null at a dead point. */
   tolerance?: Tolerance | null;
+  /** Only with loads; null where the linkage does not get through its positions in order without a dead point. */
+  loads?: LoadReport | null;
 }
 /** A grounded link of a spherical linkage, its moving axis in position 1. */
 export interface SphericalDyad {
@@ -472,6 +561,8 @@ export interface SphericalFourBar {
   fails?: readonly RequirementKey[];
   /** Only with tolerances; null at a dead point. */
   tolerance?: Tolerance | null;
+  /** Only with loads; null where the linkage does not get through its positions in order without a dead point. */
+  loads?: LoadReport | null;
   /** Functions with a free number: the value that this linkage has. */
   free_value?: number;
   /** Of the coupler, as in problem files, where they are not the task's: of functions, from where it is at the first pair. */
@@ -643,6 +734,8 @@ export interface StraightLineFourBar {
   fails?: readonly RequirementKey[];
   /** Only with tolerances; null at a dead point. */
   tolerance?: Tolerance | null;
+  /** Only with loads; null where the linkage does not get through its positions in order without a dead point. */
+  loads?: LoadReport | null;
 }
 /** Without one position: the nearest that a linkage through the others comes to it, or why there is none. */
 export interface WayOut {

@@ -70,6 +70,8 @@ export class Scene implements Surface {
 
   /** What the picture behind the drawing lets take hold of, while it is placed. */
   picture_parts: () => Handle[] = () => [];
+  /** What analyses let take hold of. */
+  analysis_parts: () => Handle[] = () => [];
 
   /** `kind`: what the kind of a task shows and lets take hold of. */
   private readonly instants: Question<Quadrilateral, Replies["report"]>;
@@ -186,6 +188,7 @@ export class Scene implements Surface {
     return editing ? corner_handles(this.outline, this.outline_pose, this.space) : [];
   });
   readonly picture_handles = $derived.by(() => (this.workbench.mode === "scale" ? this.picture_parts() : []));
+  readonly analysis_handles = $derived.by(() => this.analysis_parts());
   /** Without those that a handle of the task stands for. */
   private readonly own_pivot_handles = $derived.by(() =>
     this.pivot_handles.filter(({id}) => !this.task_handles.some((handle) => handle.id === id)),
@@ -196,6 +199,7 @@ export class Scene implements Surface {
     ...this.picture_handles,
     ...this.pose_handles,
     ...this.task_handles,
+    ...this.analysis_handles,
     ...this.own_pivot_handles,
     ...this.box_handles,
   ]);

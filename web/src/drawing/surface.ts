@@ -5,6 +5,7 @@ import type {Linkage, Mistake, Point, TaskAnswer} from "../contract/messages";
 import type {Problem} from "../state/problem";
 import type {Pose} from "../state/task";
 import type {Toast} from "../state/toasts";
+import type {Workbench} from "../state/workbench.svelte";
 import type {TextKey, Values} from "../texts/texts.svelte";
 import type {Drag} from "./drags/drag";
 import type {Handle, Target} from "./handles";
@@ -26,6 +27,7 @@ export interface Desk {
   drag(change: (problem: Problem) => Problem): void;
   edit(change: (problem: Problem) => Problem, merge?: string | null): void;
   undo(): void;
+  study<Study extends object>(name: string, make: (of: Workbench) => Study): Study;
   say(key: TextKey, values?: Values, action?: Toast["action"]): void;
 }
 /** Numbers beside the pointer. */

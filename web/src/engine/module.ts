@@ -35,6 +35,11 @@ export interface Session {
   linkage(input_tau: number, output_tau: number): {linkage: string; states: Float64Array; tolerance: string};
   live(input_tau: number, output_tau: number): {input: Uint16Array; output: Uint16Array};
   tolerance(input_tau: number, output_tau: number, bins: number, drawn: number): {report: string; drawn: Float64Array};
+  /** JSON text; empty where there is none. */
+  loads(input_tau: number, output_tau: number): string;
+  /** JSON text: {"placed"} or {"mistakes"}; empty where the linkage does not get through its positions. */
+  place_spring(input_tau: number, output_tau: number, boxes: string, most_boxes: number): string;
+  stud_map(input_tau: number, output_tau: number, boxes: string, stud: string, columns: number, rows: number): string;
   sample_yields(cells: number): string;
   front(first: string, second: string): string;
   halo(part: number, turn: boolean, reach: number, steps: number, samples: number): Uint32Array;

@@ -12,6 +12,7 @@ import type {
   MapAnswer,
   Mistake,
   Notice,
+  PlacedSpring,
   PlateSizes,
   Replies,
   ReplyMessage,
@@ -23,6 +24,7 @@ import type {
   ToleranceAnswer,
   ToleranceFigures,
 } from "../contract/messages";
+import type {StudMapReply} from "../contract/replies";
 
 const nearest_order = -1;
 const no_dyads: Mistake = {
@@ -35,10 +37,21 @@ const extensions = {svg: ".svg", dxf: ".dxf", csv: ".csv", json: ".json", result
 const machine_extensions = {stl: ".stl", "3mf": ".3mf", plates: ".dxf", urdf: ".urdf", sdf: ".sdf", mjcf: ".xml"};
 const chosen_sizes: PlateSizes = {width: 0, thickness: 0, gap: 0, pin: 0, clearance: -1, radius: 0};
 
+/** Boxes at which a proof is given up, round by round; 0: a grid and its best places, moved until nothing near is better. */
+const rounds_of_boxes = [0, 30_000, 120_000, 500_000, 2_000_000];
+/** With more boxes there may be one. */
+const may_yet_fit = "nothing_fits";
+
 const now = () => performance.now();
 
 function copied<A extends {slice(): A}>(view: A): A {
   return view.slice();
+}
+
+interface PlacedAnswer {
+  placed: PlacedSpring;
+  /** With the values of its sentence. */
+  why_not?: Notice;
 }
 
 /** The engine in the thread that asks. `tell` takes what long jobs say on their way. */
@@ -81,6 +94,9 @@ export class Engine {
       improve: (r) => JSON.parse(this.holding(r.problem).improve(...r.tau)),
       verify: (r) => JSON.parse(this.holding(r.problem).verify(...r.tau)),
       tolerance: (r) => this.tolerance(r),
+      loads: (r) => JSON.parse(this.holding(r.problem).loads(...r.tau) || '{"loads": null}'),
+      place_spring: (r) => this.place_spring(r, tell),
+      stud_map: (r) => this.stud_map(r),
       yields: (r) => JSON.parse(this.holding(r.problem).sample_yields(r.cells)),
       front: (r) => JSON.parse(this.holding(r.problem).front(...r.objectives)),
       trace: (r) => ({points: copied(this.holding(r.problem).trace(...r.tau, ...r.point))}),
@@ -172,6 +188,28 @@ export class Engine {
     return found;
   }
 
+  private place_spring(
+    {problem, tau, boxes}: Requests["place_spring"],
+    tell: (tidings: Tidings["place_spring"]) => void,
+  ): Replies["place_spring"] {
+    const session = this.holding(problem);
+    let placed: PlacedSpring | null = null;
+    for (const most_boxes of rounds_of_boxes) {
+      const answer = answer_of<PlacedAnswer>(session.place_spring(...tau, boxes, most_boxes));
+      if (!answer) return {placed: null};
+      placed = answer.why_not ? {...answer.placed, why_not: answer.why_not} : answer.placed;
+      tell({found: placed});
+      const {proven, why_not} = placed;
+      if (proven || (why_not && (why_not.code !== may_yet_fit || why_not.values?.proven))) break;
+    }
+    return {placed};
+  }
+
+  private stud_map({problem, tau, boxes, stud, columns, rows}: Requests["stud_map"]): Replies["stud_map"] {
+    const found = answer_of<StudMapReply>(this.holding(problem).stud_map(...tau, boxes, stud, columns, rows));
+    return {map: found?.columns ? found : null};
+  }
+
   private exported({problem, tau, format}: Requests["export"]): Replies["export"] {
     const text = this.holding(problem).exported(...tau, format);
     if (!text)
@@ -211,6 +249,13 @@ export class Engine {
     if (!problem) throw new Refusal(JSON.parse(this.session.mistakes()));
     return {problem, notices: JSON.parse(this.session.notices()) as Notice[]};
   }
+}
+
+/** Null: the text says nothing. */
+function answer_of<Answer extends object>(text: string): Answer | null {
+  const answer = text ? (JSON.parse(text) as Answer | {mistakes: Mistake[]}) : null;
+  if (answer && "mistakes" in answer) throw new Refusal(answer.mistakes);
+  return answer;
 }
 
 function copied_curves(from: DyadPolygon): DyadPolygon {

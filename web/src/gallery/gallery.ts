@@ -3,6 +3,8 @@ import airtight_hatch from "../../../examples/airtight_hatch.json?raw";
 import ankle_orthosis from "../../../examples/ankle_orthosis.json?raw";
 import antenna_pointing from "../../../examples/antenna_pointing.json?raw";
 import corner_drawer from "../../../examples/corner_drawer.json?raw";
+import counterbalanced_lid from "../../../examples/counterbalanced_lid.json?raw";
+import cylinder_bucket from "../../../examples/cylinder_bucket.json?raw";
 import dump_bucket from "../../../examples/dump_bucket.json?raw";
 import drawer_hinge from "../../../examples/drawer_hinge.json?raw";
 import dough_mixer from "../../../examples/dough_mixer.json?raw";
@@ -13,6 +15,7 @@ import folding_wing from "../../../examples/folding_wing.json?raw";
 import footrest from "../../../examples/footrest.json?raw";
 import garage_door_point from "../../../examples/garage_door_point.json?raw";
 import hood_hinge from "../../../examples/hood_hinge.json?raw";
+import hood_strut from "../../../examples/hood_strut.json?raw";
 import landing_gear from "../../../examples/landing_gear.json?raw";
 import latch from "../../../examples/latch.json?raw";
 import lift_platform from "../../../examples/lift_platform.json?raw";
@@ -29,6 +32,7 @@ import straight_walking_leg from "../../../examples/straight_walking_leg.json?ra
 import straight_watt_suspension from "../../../examples/straight_watt_suspension.json?raw";
 import tailgate from "../../../examples/tailgate.json?raw";
 import tailgate_as_made from "../../../examples/tailgate_as_made.json?raw";
+import tailgate_struts from "../../../examples/tailgate_struts.json?raw";
 import thread_take_up from "../../../examples/thread_take_up.json?raw";
 import transfer_arm from "../../../examples/transfer_arm.json?raw";
 import universal_joint_like from "../../../examples/universal_joint_like.json?raw";
@@ -49,13 +53,17 @@ import three_parallel from "./three_parallel.json?raw";
 const files = {
   tailgate,
   tailgate_as_made,
+  tailgate_struts,
   drawer_hinge,
   dump_bucket,
+  cylinder_bucket,
   landing_gear,
   folding_table,
   folding_wing,
   lift_platform,
+  counterbalanced_lid,
   hood_hinge,
+  hood_strut,
   latch,
   airtight_hatch,
   footrest,

@@ -67,8 +67,8 @@ export interface PropertyDescription<T extends Task = Task> {
   larger_is_better: boolean;
   /** Which limits it. */
   requirement: RequirementKey | null;
-  /** A share is a number without a unit, from 0 up; an error a length, or told in degrees. */
-  quantity: "angle" | "fine_angle" | "ratio" | "share" | "percent" | "length" | "error";
+  /** A share is a number without a unit, from 0 up; an error a length, or told in degrees; forces and torques have a sense. */
+  quantity: "angle" | "fine_angle" | "ratio" | "share" | "percent" | "length" | "error" | "force" | "torque";
   in_degrees?: boolean;
   /** Equal steps of the scale are equal ratios. */
   logarithmic?: boolean;
@@ -94,7 +94,7 @@ export type RequirementDescription = NamedRequirement &
     | {
         control: "limit";
         bound: "least" | "most";
-        quantity: "angle" | "ratio" | "length" | "percent" | "error";
+        quantity: "angle" | "ratio" | "length" | "percent" | "error" | "force" | "torque";
         in_degrees?: boolean;
         from: number;
         needs?: string;

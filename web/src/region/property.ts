@@ -6,7 +6,7 @@ import type {Workbench} from "../state/workbench.svelte";
 import {properties_of, property_descriptions, property_of, requirement_descriptions} from "../kinds/kind_dispatch";
 import type {TermName} from "../terms/pictures";
 import type {TextKey} from "../texts/texts.svelte";
-import {degrees_text, percent_text, significant, with_unit} from "../texts/numbers";
+import {degrees_text, mechanical_unit, percent_text, significant, with_unit} from "../texts/numbers";
 import type {ValueRange} from "./value_range";
 
 export type Coloring = "type" | Property;
@@ -39,7 +39,8 @@ export function domain(property: Property, of: Shown): [number, number] {
 }
 /** What its numbers are in, where they are lengths, or errors. */
 export function unit_for(property: Property, {problem, unit}: Pick<Workbench, "problem" | "unit">): string {
-  return property_of(problem.task, property).in_degrees ? "°" : unit;
+  const {quantity, in_degrees} = property_of(problem.task, property);
+  return in_degrees ? "°" : (mechanical_unit(quantity, unit) ?? unit);
 }
 
 /** The requirement's threshold on this property, where there is one that can be moved. */
@@ -55,6 +56,7 @@ export function held_threshold(property: Property, value: number): number {
   if (quantity === "angle") return Math.min(Math.max(Math.round(value), 0), 89);
   if (quantity === "ratio") return Math.max(Math.round(value * 10) / 10, 1);
   if (quantity === "percent") return Math.min(Math.max(Math.round(100 * value) / 100, 0), 1);
+  if (quantity === "force") return Math.round(value);
   const step = round_step(value / 200);
   return Number(Math.max(Math.round(value / step) * step, step).toPrecision(9));
 }
@@ -77,8 +79,9 @@ export function painted_range(property: Property, ends: readonly [number, number
 /** Contour levels, the requirement's own among them. */
 export function contour_levels(property: Property, of: Shown): {level: number; bold: boolean}[] {
   const bold = threshold(property, of.task?.requirements ?? {});
-  const levels = new Set(property_of(of.problem.task, property).levels(domain(property, of)));
-  if (bold !== null && bold > 0) levels.add(bold);
+  const [from, to] = domain(property, of),
+    levels = new Set(property_of(of.problem.task, property).levels([from, to]));
+  if (bold !== null && (bold > 0 || bold > from)) levels.add(bold);
   return [...levels].sort((a, b) => a - b).map((level) => ({level, bold: level === bold}));
 }
 export function type_text(type: LinkageType): TextKey {

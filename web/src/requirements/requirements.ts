@@ -12,7 +12,7 @@ import {
 import type {Task} from "../state/task";
 import type {Workbench} from "../state/workbench.svelte";
 import {requirement_descriptions, requirement_of, requirements_of, text_for} from "../kinds/kind_dispatch";
-import {grouped, percent_text, significant, with_unit} from "../texts/numbers";
+import {grouped, mechanical_unit, percent_text, significant, with_unit} from "../texts/numbers";
 import {t} from "../texts/texts.svelte";
 import {least_of, most_of} from "../state/ends";
 import {defaults} from "../state/defaults";
@@ -36,7 +36,7 @@ export function is_asked(requirements: Requirements, key: RequirementKey): boole
     case "transmission_angle":
       return is_positive;
     case "limit":
-      return described.bound === "least" ? is_positive : value != null;
+      return described.bound === "least" && described.from >= 0 ? is_positive : value != null;
     default:
       return value != null;
   }
@@ -72,7 +72,8 @@ export function unit_of(key: RequirementKey, {problem, unit}: Units): string {
   if (described.control === "transmission_angle") return "°";
   if (described.control !== "limit" || described.quantity === "ratio") return "";
   if (described.quantity === "percent") return "%";
-  return described.quantity === "angle" || described.in_degrees ? "°" : unit;
+  if (described.quantity === "angle" || described.in_degrees) return "°";
+  return mechanical_unit(described.quantity, unit) ?? unit;
 }
 export function value_text(key: RequirementKey, value: number | Box, units: Units): string {
   if (typeof value !== "number")

@@ -2,8 +2,9 @@ import "fake-indexeddb/auto";
 import {beforeAll, expect, it} from "vitest";
 import {degenerate, whole} from "../contract/messages";
 import {thinned} from "../engine/stored";
+import {with_requirements} from "../state/problem";
 import {Workbench} from "../state/workbench.svelte";
-import {bench, settled} from "../state/workbench_bench";
+import {bench, settled, until} from "../state/workbench_bench";
 import {first_example} from "../gallery/gallery";
 import {with_pose_moved} from "../kinds/kind_dispatch";
 import {keep_view, read_view, soon, view_for, view_of} from "./kept_view.svelte";
@@ -30,6 +31,17 @@ it("is there on the next visit, before the engine", async () => {
   expect(workbench.live).toEqual(shown.live);
   expect(workbench.answers.map_is_of_present && workbench.answers.hand_is_of_present).toBe(true);
   expect(workbench.document).toEqual(shown.document);
+});
+it("gives way to the best linkage where a change that comes before the engine has cost it", async () => {
+  const on = bench(shown.problem),
+    {workbench} = on,
+    {task, map, linkage, live} = view_of(shown)!;
+  workbench.show_stored(task, map, linkage, live);
+  const max_length = Math.floor(linkage.longest!) - 1;
+  workbench.edit((problem) => with_requirements(problem, {max_length}));
+  await until(() => workbench.toasts.some(({key}) => key === "state.went_to_best"));
+  await settled(on);
+  expect(workbench.picked_linkage!.fails).toBe(0);
 });
 it("is shown when it is read late, and not over a map that is there", async () => {
   expect(await soon(new Promise(() => {}))).toBeNull();

@@ -99,6 +99,8 @@ describe("work of earlier versions of the page", () => {
     const small = small_store({"linkwright.work": text("As it went", 30)});
     expect(title(await open_work_store(small))).toBe("As it went");
     expect(small.length).toBe(0);
+    const amended = small_store({"linkwright.work": text("With another linkage in hand", 30)});
+    expect(title(await open_work_store(amended))).toBe("With another linkage in hand");
   });
   it("stays where it is while the database has no room for it", async () => {
     vi.spyOn(IDBObjectStore.prototype, "put").mockImplementation(() => {

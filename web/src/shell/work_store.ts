@@ -48,7 +48,7 @@ export function time_of(text: string): number {
   return Number(/^\{"version":1,"at":(\d+)/.exec(text)?.[1] ?? 0);
 }
 /** What lies in the small store comes in, unless it is older: that of earlier versions of the page, and what was written
- *  there when a page went. */
+ *  there when a page went. Of the same time it is the later one: what is added to a step leaves its time as it is. */
 async function move_in(
   small: Storage,
   items: Map<string, string>,
@@ -57,7 +57,7 @@ async function move_in(
 ): Promise<void> {
   const names = Array.from({length: small.length}, (_, i) => small.key(i) ?? "").filter((name) => is_work.test(name));
   const found = names.map((name) => [name, small.getItem(name) ?? ""] as const),
-    newer = found.filter(([name, text]) => !items.has(name) || time_of(text) > time_of(items.get(name) ?? ""));
+    newer = found.filter(([name, text]) => !items.has(name) || time_of(text) >= time_of(items.get(name) ?? ""));
   for (const [name, text] of newer) items.set(name, text);
   try {
     await setMany(

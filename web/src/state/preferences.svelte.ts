@@ -16,6 +16,7 @@ export class Preferences {
   instant = $state(false); // pole, inflection circle, stationary curvature of the linkage as it stands
   plane_map = $state(true); // the map over the drawing, where its places are places of a pivot
   samples = $state(true); // linkages as they are made, where tolerances are given
+  forces = $state(true); // arrows, where loads are given
   contours = $state(true);
   defect_kinds = $state(false);
   only_meeting = $state(false);
@@ -88,6 +89,7 @@ const checks = {
   instant: flag,
   plane_map: flag,
   samples: flag,
+  forces: flag,
   contours: flag,
   defect_kinds: flag,
   only_meeting: flag,

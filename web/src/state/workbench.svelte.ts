@@ -200,8 +200,8 @@ export class Workbench extends Editing {
     return analysis && !block_of(this.problem, analysis) ? "numbers" : this.below;
   }
   /** Made when it is first asked for. */
-  study<Study extends object>(name: string, make: () => Study): Study {
-    return (this.studies[name] ??= make()) as Study;
+  study<Study extends object>(name: string, make: (of: Workbench) => Study): Study {
+    return (this.studies[name] ??= make(this)) as Study;
   }
   /** The problem as it is saved and shared: with what is picked and pinned. */
   get whole_problem(): Problem {
@@ -255,6 +255,7 @@ export class Workbench extends Editing {
     if (linkage) {
       answers.take_hand(linkage, problem);
       answers.take_picked(linkage, problem);
+      this.seeker.weigh(linkage); // a change may come before the engine
       if (live) answers.along.put({problem, tau: linkage.tau}, live);
     }
   }

@@ -1,4 +1,5 @@
 // What the table does to the list of poses.
+import {with_moved_blocks} from "../analyses/analysis_dispatch";
 import {in_plane} from "../figure/mechanism";
 import type {Box, Point} from "../contract/messages";
 import {body_point, with_task, type Pin} from "../state/problem";
@@ -74,7 +75,7 @@ export function referred(document: TaskDocument, index: number): TaskDocument {
   const point = (p: Point) => body_point(p, origin);
   const task = referred_task(problem.task, pose, point, index);
   const pins = document.pins.map((pin) => (same_task(pin.task, problem.task) ? referred_pin(pin, task, point) : pin));
-  const changed = with_task(problem, task);
+  const changed = with_moved_blocks(with_task(problem, task), point);
   const {requirements, view} = changed;
   if (requirements?.ground_pivots_within)
     changed.requirements = {

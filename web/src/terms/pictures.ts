@@ -428,6 +428,28 @@ export const pictures = {
     ring("thin", [58, 18], 2),
     ring("good_fill", [66, 34], 3),
   ],
+  loads: [plate("body", [40, 24], -0.3), ["arrow", "M48 22L48 48"], ["accent", "M22 56L36 30"], ground([22, 56])],
+  hand_force: [
+    ground([18, 52]),
+    line("body", [18, 50], [76, 26]),
+    pin([18, 50]),
+    ["arrow", "M76 26L68 6"],
+    ["dash", "M78 42Q74 18 60 4"],
+  ],
+  hold_open: [
+    ground([20, 54]),
+    line("body", [20, 52], [34, 8]),
+    pin([20, 52]),
+    ["arrow", "M34 8L20 6"],
+    ["dash", "M34 8Q74 14 78 50"],
+  ],
+  gas_spring: [
+    box("body", 10, 26, 44, 12),
+    line("body", [54, 32], [84, 32]),
+    pin([8, 32]),
+    pin([86, 32]),
+    ["arrow", "M60 48L84 48"],
+  ],
 } as const satisfies Record<string, readonly Stroke[]>;
 
 export type TermName = keyof typeof pictures;

@@ -266,7 +266,15 @@ const further = {
 const texts = [...files, ...Object.entries(further).map(([name, text]) => ({name, text}))];
 
 /** Sentences that no text provokes: what JSON cannot say or a reader catches, and what the page finds itself. */
-const unprovoked = ["not_available", "limits_finite", "axis_finite", "no_dyads", "no_four_bar", "not_utf8"];
+const unprovoked = [
+  "not_available",
+  "limits_finite",
+  "axis_finite",
+  "force_range",
+  "no_dyads",
+  "no_four_bar",
+  "not_utf8",
+];
 
 /** The codes in the sources of what reads and checks problem files: those before a place, and those of a value read. */
 function codes_of_sources(): string[] {

@@ -33,6 +33,13 @@ export function percent_text(share: number): string {
   const percent = share < 1 ? Math.min(Number((100 * share).toPrecision(3)), 99.9) : 100;
   return `${significant(percent, 4)}\u00a0%`;
 }
+const known_lengths = ["mm", "µm", "um", "cm", "dm", "m", "in", "ft"];
+/** Of forces and torques, whatever lengths are in; where nobody knows what these are, a torque is told in them. */
+export function mechanical_unit(quantity: string, unit: string): string | null {
+  if (quantity === "force") return "N";
+  if (quantity !== "torque") return null;
+  return `N·${known_lengths.includes(unit.toLowerCase()) ? "m" : unit || "1"}`;
+}
 /** A degree sign stands close. */
 export function with_unit(text: string, unit: string): string {
   return unit === "°" ? text + unit : `${text} ${unit}`.trim();

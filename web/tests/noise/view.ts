@@ -7,7 +7,7 @@ import Printed from "./Printed.svelte";
 
 export const noise_view: AnalysisView = {
   Block,
-  Missing,
+  missing: {speed: Missing},
   Layer,
   Legend,
   Printed,

@@ -1,8 +1,8 @@
 // What linkages can be coloured by, required to be and the best by once it is known how exactly they are made.
 import {most_of} from "../../state/ends";
 import {round_step} from "../../state/problem";
-import type {ObjectiveDescription, PropertyDescription, RequirementDescription} from "../../kinds/kind";
-import type {Criteria} from "../analysis";
+import type {ObjectiveDescription, PropertyDescription} from "../../kinds/kind";
+import {limits, type Criteria} from "../analysis";
 import {length_entries, length_tolerance, type Tolerances} from "./block";
 import type {Making} from "./making";
 
@@ -56,29 +56,18 @@ const properties = (error: Making["error"]): Record<string, PropertyDescription>
     levels: () => [0.1, 0.25, 0.5, 0.75, 0.9, 0.99],
   },
 });
-const requirements = (error: Making["error"]): Record<string, RequirementDescription> => ({
-  max_tolerance_error: {
-    name: "req.max_tolerance_error",
-    short: "req.short.max_tolerance_error",
-    term: "tolerance_error",
-    control: "limit",
-    bound: "most",
-    quantity: "error",
-    in_degrees: error === "angle",
-    from: 0,
-    needs: "tolerances",
-  },
-  min_yield: {
-    name: "req.min_yield",
-    short: "req.short.min_yield",
-    term: "yield",
-    control: "limit",
-    bound: "least",
-    quantity: "percent",
-    from: 0,
-    needs: "limit",
-  },
-});
+const requirements = (error: Making["error"]) =>
+  limits({
+    max_tolerance_error: {
+      term: "tolerance_error",
+      bound: "most",
+      quantity: "error",
+      in_degrees: error === "angle",
+      from: 0,
+      needs: "tolerances",
+    },
+    min_yield: {term: "yield", bound: "least", quantity: "percent", from: 0, needs: "limit"},
+  });
 const objectives: Record<string, ObjectiveDescription> = {
   tolerance_error: {name: "req.objective.tolerance_error", measure: "tolerance_error", needs: "tolerances"},
   yield: {name: "req.objective.yield", measure: "yield", needs: "limit"},

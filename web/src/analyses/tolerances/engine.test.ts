@@ -42,8 +42,9 @@ describe("suggested tolerances", () => {
       asked = {...made, tolerances: {...made.tolerances, limit: suggested_limit(made)}};
     const keys = requirements_of(problem.task),
       required = {...asked, requirements: {...asked.requirements, max_tolerance_error: 1e6, min_yield: 0.01}};
-    expect(keys.slice(-2)).toEqual(["max_tolerance_error", "min_yield"]);
-    expect(Object.keys(criteria_of(kind_of(problem.task)).requirements).sort()).toEqual([...keys].sort());
+    const known = criteria_of(kind_of(problem.task)).requirements;
+    expect(keys.filter((key) => key in known)).toEqual(Object.keys(known));
+    expect(keys).toEqual(expect.arrayContaining(["max_tolerance_error", "min_yield"]));
     expect(properties_of(asked)).toEqual(expect.arrayContaining(["tolerance_error", "yield"]));
     for (const objective of ["tolerance_error", "yield"] as const) {
       const text = engine_text({...required, options: {...required.options, objective}}),

@@ -18,7 +18,7 @@ export const tolerance_view: AnalysisView = {
     untrack(() => tolerance_study_of(workbench).follow());
   },
   Block: ToleranceRow,
-  Missing: SetLimit,
+  missing: {limit: SetLimit},
   line({tolerance}, unit) {
     if (!tolerance) return null;
     return {text: figures_text(tolerance, unit), but: tolerance.beyond_first_order ? t("tolerance.beyond") : null};

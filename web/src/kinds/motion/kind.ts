@@ -7,6 +7,7 @@ import {is_motion, type Given, type MotionTask} from "./task";
 import {significant} from "../../texts/numbers";
 import type {Beginning, TaskKind} from "../kind";
 import {planar_objectives, planar_properties, planar_requirements, planar_types} from "../planar";
+import {four_bar_loading} from "../../analyses/loads/making";
 import {body_making} from "../../analyses/tolerances/making";
 import {form_of} from "./given";
 import {lines_of, moved_given, pivots_of, read_lines, read_pivot_on, read_pivots, turned_line} from "./pivots";
@@ -166,7 +167,7 @@ export const motion_kind: TaskKind<MotionTask> = {
   types: planar_types,
   requirements: planar_requirements,
   objectives: planar_objectives,
-  analysed: {tolerances: body_making},
+  analysed: {tolerances: body_making, loads: four_bar_loading},
   moved: (task, point) => ({
     ...task,
     ...(task.given ? {given: moved_given(task.given, point)} : {}),

@@ -4,6 +4,7 @@ import type {Problem} from "../../state/problem";
 import {is_number, is_object, is_pair, read_list, type JsonObject} from "../../state/shape";
 import {diagonal_of, pattern_of} from "../../state/task";
 import {significant} from "../../texts/numbers";
+import {four_bar_loading} from "../../analyses/loads/making";
 import {path_making} from "../../analyses/tolerances/making";
 import {told_with_point} from "../carried";
 import type {TaskKind} from "../kind";
@@ -165,7 +166,7 @@ export const path_kind: TaskKind<PathTask> = {
     },
   },
   objectives: planar_objectives,
-  analysed: {tolerances: path_making},
+  analysed: {tolerances: path_making, loads: four_bar_loading},
   moved: (task, point) => ({
     ...task,
     ...moved_pivots(task, point),

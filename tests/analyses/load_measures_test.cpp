@@ -1,0 +1,171 @@
+#include <cmath>
+#include <gtest/gtest.h>
+
+#include "analyses/loads/loads_analysis.hpp"
+#include "linkwright/core/angle.hpp"
+#include "linkwright/loads/load_report.hpp"
+#include "linkwright/planar/task_family.hpp"
+#include "linkwright/region/region_map.hpp"
+#include "loads/cell_loads.hpp"
+#include "support/draws.hpp"
+#include "support/file_support.hpp"
+#include "support/load_cases.hpp"
+
+namespace linkwright::load_measures_test {
+namespace {
+
+using nlohmann::json;
+
+/// The tailgate's map, with loads.
+struct LoadedMap {
+  TaskFamily given;
+  RegionMap map;
+
+  explicit LoadedMap(int samples) : given(task_family(testing::motion(testing::tailgate()), {}, Objective::size)) {
+    const auto along = [&](Side side) { return given.family->samples(side, samples, Spacing::coordinate); };
+    given.family->classify(map, along(Side::input), along(Side::output), true);
+  }
+  [[nodiscard]] MapPoint place(std::size_t row, std::size_t column) const {
+    return {map.input_coordinates()[row], map.output_coordinates()[column]};
+  }
+  [[nodiscard]] PlanarOutput output(std::size_t row, std::size_t column) const {
+    return std::get<PlanarOutput>(given.family->output(place(row, column)).value());
+  }
+};
+
+std::vector<float> column_of(LoadedMap& of, const Loads& loads, const Measure& measure) {
+  load_measures(*of.given.family, loads).add_to(of.map, *of.given.family, {}, false);
+  const auto values = of.map.values(measure);
+  return {values.begin(), values.end()};
+}
+
+TEST(LoadMeasures, AreThoseOfTheFilesCells) {
+  const json file = testing::load_file("map_cells");
+  const Loads loads = testing::loads_from(file["loads"]);
+  for (const json& cell : file["results"]) {
+    const auto& pivots = cell["pivots"];
+    const FourBar bars{testing::point_from(pivots["input_fixed"]), testing::point_from(pivots["input_moving"]),
+                       testing::point_from(pivots["output_fixed"]), testing::point_from(pivots["output_moving"])};
+    std::vector<PrescribedPose> poses;
+    for (const json& pose : file["poses"])
+      poses.push_back({{testing::point_from(pose), radians(pose[2].get<double>())}, {}});
+    const PlanarOutput output = pose_output(bars, poses);
+    for (const json& told : cell["cases"]) {
+      Loads one = loads;
+      one.cases = {{.name = "one", .temperature = told["case"] == "cold" ? -30.0 : 20.0}};
+      const auto value = [&](ReadOut read_out) {
+        return CellLoads(one, output, CellLook::map).read_out(read_out).value();
+      };
+      // The parabola stands at the stations' maximum or above it, and nearer to that of 181 stations.
+      const auto expect_between = [&](ReadOut read_out, const json& most) {
+        const double found = value(read_out), stations = most["stations_13"], fine = most["stations_181"];
+        EXPECT_GE(found, stations - 1e-7);
+        EXPECT_LE(std::abs(found - fine), std::abs(stations - fine) + 0.03);
+      };
+      expect_between(ReadOut::max_open_force, told["max_open_force"]);
+      expect_between(ReadOut::max_close_force, told["max_close_force"]);
+      EXPECT_NEAR(value(ReadOut::hold_open), told["hold_open"].get<double>(), 1e-7);
+    }
+  }
+}
+
+// All that kernels know at once: weights of three kinds, forces that turn and that do not, springs of both kinds
+// between any bodies, friction, three cases.
+Loads everything(LoadDrive drive) {
+  Loads loads = testing::loads_from(json::parse(R"({
+    "body": {"mass": 24, "center": [40, 120]}, "handle": {"point": [-5, -70]},
+    "links": {"input": {"kg_per_m": 1.2}, "coupler": {"mass": 0.4}, "output": {"mass": 0.7, "center": [60, 5]}},
+    "extra": [{"name": "snow", "on": "body", "at": [70, 200], "mass": 6},
+              {"name": "tool", "on": "body", "at": [10, 20], "force": [30, -12], "frame": "body", "always": true},
+              {"name": "pull", "on": "output", "at": [30, 8], "force": [5, 9], "always": true}],
+    "springs": [{"kind": "gas", "count": 2, "from": {"on": "ground", "at": [150, 115]},
+                 "to": {"on": "body", "at": [60, 298]}, "extended_length": 325, "stroke": 128,
+                 "F1": 375, "F2": 500, "F3": 425, "F4": 560, "rod_diameter": 8},
+                {"kind": "coil", "from": {"on": "input", "at": [40, 15]}, "to": {"on": "output", "at": [50, -10]},
+                 "rate": 0.7, "free_length": 60, "acts": "tension"},
+                {"kind": "coil", "from": {"on": "ground", "at": [300, 300]}, "to": {"on": "coupler", "at": [10, 3]},
+                 "rate": 0.2, "free_length": 90}],
+    "pins": {"radius": 6, "friction": 0.15},
+    "cases": [{"name": "room"}, {"name": "cold", "temperature_C": -30, "slope_deg": 6, "extra": ["snow"]},
+              {"name": "aged", "spring_percent": 85, "for": ["hold_open", "max_pin_force"]}]})"));
+  loads.drive = drive;
+  loads.cylinder = {{LoadedBody::ground, {150, 60}}, {LoadedBody::output, {40, 20}}};
+  return loads;
+}
+
+TEST(LoadMeasures, AreTheSameInPacksAsOneByOne) {
+  LoadedMap of(20);
+  int compared = 0;
+  for (const LoadDrive drive : {LoadDrive::hand, LoadDrive::input, LoadDrive::output, LoadDrive::cylinder}) {
+    for (const auto way : {Handle::Direction::tangential, Handle::Direction::vertical, Handle::Direction::fixed}) {
+      Loads loads = everything(drive);
+      loads.handle->direction = way;
+      loads.handle->angle = 2;
+      for (const AddedMeasure& added : load_measures(*of.given.family, loads).all) {
+        const Measure& measure = added.measure->measure();
+        const auto values = column_of(of, loads, measure);
+        for (std::size_t cell = 0; cell < values.size(); ++cell) {
+          if (of.map.type(cell) == LinkageType::degenerate) continue;
+          if (!of.map.defects(cell).none()) {
+            EXPECT_TRUE(std::isinf(values[cell]));
+            continue;
+          }
+          const auto output = of.output(cell / of.map.columns(), cell % of.map.columns());
+          const auto alone = CellLoads(loads, output, CellLook::map).read_out(read_out_of(measure).value());
+          if (!alone || std::abs(*alone) > 1e5) continue;
+          EXPECT_NEAR(values[cell], *alone, 1e-4 + 1e-6 * std::abs(*alone)) << measure.key << " " << cell;
+          ++compared;
+        }
+      }
+    }
+  }
+  EXPECT_GT(compared, 1000);
+}
+
+// The search looks at a linkage as closely as lists do, within the margin that it keeps.
+TEST(LoadMeasures, AreNearThoseOfListsWhereASearchLooks) {
+  LoadedMap of(30);
+  const Loads loads = everything(LoadDrive::hand);
+  const std::vector<PrescribedPose>& poses = testing::motion(testing::tailgate()).poses;
+  const AddedMeasures added = load_measures(*of.given.family, loads);
+  int compared = 0;
+  for (std::size_t cell = 0; cell < of.map.types().size() && compared < 40; ++cell) {
+    if (of.map.type(cell) == LinkageType::degenerate || !of.map.defects(cell).none()) continue;
+    const std::size_t row = cell / of.map.columns(), column = cell % of.map.columns();
+    const auto report = load_report(loads, of.output(row, column).positions.front().bars, poses).value();
+    for (const AddedMeasure& each : added.all) {
+      const auto& worst = report.worst_of(read_out_of(each.measure->measure()).value());
+      if (!worst || std::abs(worst->value) > 1e4) continue;
+      EXPECT_NEAR(each.measure->at(of.place(row, column)).value(), worst->value, each.margin_of(worst->value))
+          << each.measure->measure().key;
+    }
+    ++compared;
+  }
+  EXPECT_GT(compared, 20);
+}
+
+// What is between ground and body does the same work in all linkages of the map.
+TEST(LoadMeasures, DoTheWorkThatTheTaskTakes) {
+  LoadedMap of(40);
+  Loads loads = everything(LoadDrive::hand);
+  loads.input = loads.coupler = loads.output = std::nullopt;
+  loads.springs.resize(1);
+  loads.extra.resize(1);
+  const std::vector<PrescribedPose>& poses = testing::motion(testing::tailgate()).poses;
+  std::optional<double> work;
+  int compared = 0;
+  for (std::size_t cell = 0; cell < of.map.types().size(); ++cell) {
+    if (of.map.type(cell) == LinkageType::degenerate || !of.map.defects(cell).none()) continue;
+    const auto output = of.output(cell / of.map.columns(), cell % of.map.columns());
+    const auto curve = load_curve(loads, loads.cases.front(), output.positions.front().bars, poses, 1);
+    ASSERT_EQ(curve.size(), poses.size());
+    const double energy = curve.back().energy.value();
+    if (!work) work = energy;
+    EXPECT_NEAR(energy, *work, 1e-9 * std::abs(*work));
+    ++compared;
+  }
+  EXPECT_GT(compared, 20);
+}
+
+}  // namespace
+}  // namespace linkwright::load_measures_test
