@@ -83,6 +83,8 @@ std::string map_words(const PathAnswer& answer) {
     case PathForm::ground_pivot:
     case PathForm::other_pivot:
       return of("places of the pivot");
+    case PathForm::nearest:
+      return "The nearest paths: the solution region";
     case PathForm::curve_of_arms:
       return fmt::format("The solution region of {} input links and {} linkages of each", answer.region.rows(),
                          answer.region.columns());
@@ -290,6 +292,10 @@ std::string arm_free_words(const PathTask& task) {
              "columns are the linkages to each: the elbow can stand in two ways, with one or three linkages to each.";
     case PathForm::few:
       return "No parameter is free.";
+    case PathForm::nearest:
+      return "The rows of the solution region are the nearest paths that were found, its columns the three four-bars "
+             "that "
+             "trace each.";
     default:
       return fmt::format("{}the lengths of the {} and of the arm from it to the point. {}", two,
                          task.pivots.input ? "crank" : "output link", layer_words(task));

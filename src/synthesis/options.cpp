@@ -86,6 +86,9 @@ std::vector<Error> mistakes_in(const Task& task, const Requirements& requirement
   if (output_kind(task) != OutputKind::line && options.line != LineMeasuring{})
     return {
         {"line_options", "options", "\"deviation\", \"stroke\" and \"measure\" belong to straight lines; remove them"}};
+  const auto* path = std::get_if<PathTask>(&task);
+  if (options.fit != FitWishes{} && (path == nullptr || !path->is_approximate()))
+    return {{"fit_options", "options.fit", "\"fit\" belongs to paths that pass near points; remove it"}};
   if (options.at && is_search(task))
     return {{"place_of_search", "options.at",
              output_kind(task) == OutputKind::line

@@ -15,6 +15,7 @@
 #include "linkwright/spherical/spherical_task_family.hpp"
 #include "picked_place.hpp"
 #include "planar/chosen_length.hpp"
+#include "planar/fitted_path_family.hpp"
 #include "planar/function_family.hpp"
 #include "planar/path_drive.hpp"
 #include "planar/path_family.hpp"
@@ -304,6 +305,7 @@ std::optional<FourBarSolution> linkage_at(const PathAnswer& answer, MapPoint pla
   const std::vector<PrescribedPose> crank_poses = family.crank_poses(there, found->four_bar);
   found->path = timed_path(found->four_bar, crank_poses);
   found->path->elbows = family.elbows_at(there);
+  found->fit = family.fitted_at(there);
   if (!family.is_timed()) found->path->cognate.reset();
   found->residual_derivatives = family.rate_residual(there);
   if (verify) drive_path(*found, family, crank_poses);
@@ -329,6 +331,10 @@ FunctionAnswer begin_answer(const FunctionTask& task, const Requirements& requir
 }
 PathAnswer begin_answer(const PathTask& task, const Requirements& requirements, const SynthesisOptions& options,
                         const Progress& progress) {
+  if (task.is_approximate())
+    return begin_pairs<PathAnswer>(
+        task, family_of_nearest(task, requirements, options.fit, options.region, {{}, progress.cancelled}),
+        requirements, options);
   if (!task.seeks_pivot())
     return begin_pairs<PathAnswer>(task, task_family(task, requirements, options.objective), requirements, options);
   const PivotSearchResult found =
