@@ -1,0 +1,89 @@
+#include "linkwright/approximate/curve_fit.hpp"
+
+#include <atomic>
+#include <gtest/gtest.h>
+
+#include "linkwright/mechanism/coupler_curve.hpp"
+#include "linkwright/mechanism/linkage_type.hpp"
+#include "support/curve_case.hpp"
+
+namespace linkwright::curve_fit_test {
+namespace {
+
+double distance_to_path(Point p, const std::vector<MotionState>& path) {
+  double least = std::abs(p - path.front().coupler_point);
+  for (std::size_t k = 1; k < path.size(); ++k) {
+    const Point from = path[k - 1].coupler_point, along = path[k].coupler_point - from;
+    const double share = std::clamp(dot(p - from, along) / std::norm(along), 0.0, 1.0);
+    least = std::min(least, std::abs(p - from - share * along));
+  }
+  return least;
+}
+
+// The sum of squares by the tree's own motion, in 20 000 steps: it shares nothing with the fit.
+double sampled_sum_of_squares(const TracingFourBar& linkage, const CurveTarget& target) {
+  const auto path = motion_cycle(linkage.bars, linkage.point, 20'000);
+  double sum = 0;
+  for (const Point p : target.points) sum += std::pow(distance_to_path(p, path), 2);
+  return sum;
+}
+
+class PublishedTarget : public ::testing::TestWithParam<const char*> {};
+
+TEST_P(PublishedTarget, IsFittedAsWellAsIsKnown) {
+  const testing::CurveCase c = testing::curve_case(GetParam());
+  const CurveFits found = fit_curve(c.target);
+  ASSERT_FALSE(found.fits.empty());
+  const CurveFit& best = found.fits.front();
+  EXPECT_LE(best.error.sum_of_squares, 1.002 * c.best);
+  EXPECT_TRUE(best.drive.no_defects(c.target.closed));
+  EXPECT_TRUE(best.within_limits);
+  EXPECT_LE(sampled_sum_of_squares(best.linkage(), c.target), 1.0001 * best.error.sum_of_squares);
+}
+
+INSTANTIATE_TEST_SUITE_P(Of, PublishedTarget,
+                         ::testing::Values("mkh2", "mkh3", "yu1", "yu2", "tri24", "gait13", "wu3_open"));
+
+TEST(CurveFit, FindsExactClosedCurvesAgain) {
+  int exact = 0;
+  constexpr int draws = 30;
+  for (int seed = 0; seed < draws; ++seed) {
+    const CurveTarget target = testing::traced_target(testing::drawn_linkage(seed + 1, true), true, 48);
+    const CurveFits found = fit_curve(target);
+    if (!found.fits.empty() && found.fits.front().error.rms_over_diagonal < 1e-9) ++exact;
+  }
+  EXPECT_GE(exact, draws - 1);
+}
+
+TEST(CurveFit, IsTracedByThreeRealisations) {
+  const CurveTarget target = testing::curve_case("yu1").target;
+  const CurveFits found = fit_curve(target);
+  ASSERT_FALSE(found.fits.empty());
+  const CurveFit& best = found.fits.front();
+  ASSERT_EQ(best.realisation_count, 3);
+  for (const TracingFourBar& linkage : best.realisations)
+    EXPECT_NEAR(sampled_sum_of_squares(linkage, target), best.error.sum_of_squares, 1e-4 * best.error.sum_of_squares);
+}
+
+TEST(CurveFit, IsTheSameWhateverTheThreadsAndTheInstructionSet) {
+  const CurveTarget target = testing::curve_case("mkh2").target;
+  CurveFitOptions options{.effort = FitEffort::quick, .threads = 1, .simd = Simd::scalar};
+  const CurveFits first = fit_curve(target, options);
+  ASSERT_FALSE(first.fits.empty());
+  options.threads = 2;
+  options.simd = Simd::automatic;
+  const CurveFits second = fit_curve(target, options);
+  ASSERT_EQ(first.fits.size(), second.fits.size());
+  for (std::size_t k = 0; k < first.fits.size(); ++k)
+    EXPECT_EQ(farthest_pivot(first.fits[k].linkage().bars, second.fits[k].linkage().bars), 0);
+}
+
+TEST(CurveFit, StopsWhenAskedTo) {
+  const std::atomic<bool> cancelled = true;
+  const CurveFits found = fit_curve(testing::curve_case("mkh2").target, {.effort = FitEffort::deep}, {{}, &cancelled});
+  EXPECT_TRUE(found.cancelled);
+  EXPECT_TRUE(found.fits.empty());
+}
+
+}  // namespace
+}  // namespace linkwright::curve_fit_test
