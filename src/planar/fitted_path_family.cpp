@@ -39,7 +39,7 @@ std::vector<std::size_t> positions_among(std::size_t states, bool closed) {
   return chosen;
 }
 
-Point direction(Point from, Point to) { return (to - from) / std::abs(to - from); }
+Point direction_between(Point from, Point to) { return (to - from) / std::abs(to - from); }
 
 // By how much a coupler that is turned about the point, which stands at `there`, fails to be held by its links.
 double looseness(const TracingFourBar& linkage, Point turn, Point there) {
@@ -54,9 +54,9 @@ double looseness(const TracingFourBar& linkage, Point turn, Point there) {
 Point coupler_turn(const TracingFourBar& linkage, const FourBar& first, const FitState& state) {
   const FourBar& now = state.bars;
   const std::array<Point, 3> turns = {
-      direction(now.input_moving, now.output_moving) * std::conj(direction(first.input_moving, first.output_moving)),
-      direction(now.input_fixed, now.input_moving) * std::conj(direction(first.input_fixed, first.input_moving)),
-      direction(now.output_fixed, now.output_moving) * std::conj(direction(first.output_fixed, first.output_moving))};
+      direction_between(now.input_moving, now.output_moving) * std::conj(direction_between(first.input_moving, first.output_moving)),
+      direction_between(now.input_fixed, now.input_moving) * std::conj(direction_between(first.input_fixed, first.input_moving)),
+      direction_between(now.output_fixed, now.output_moving) * std::conj(direction_between(first.output_fixed, first.output_moving))};
   return *std::min_element(turns.begin(), turns.end(), [&](Point a, Point b) {
     return looseness(linkage, a, state.point) < looseness(linkage, b, state.point);
   });
@@ -146,6 +146,13 @@ void FittedPathFamily::fill(RegionMap& map, std::span<const double> input, std::
   }
 }
 
+std::vector<Cell> FittedPathFamily::all_at(MapPoint place, bool respect_direction) const {
+  std::vector<Cell> all;
+  for (std::size_t k = 0; k < most_realisations; ++k)
+    if (const auto found = cell({place.input, static_cast<double>(k) + 0.5}, respect_direction)) all.push_back(*found);
+  return all;
+}
+
 std::optional<FittedPath> FittedPathFamily::fitted_at(MapPoint place) const {
   const auto traced = traced_at(place);
   if (!traced) return std::nullopt;
@@ -161,7 +168,7 @@ std::optional<FittedPath> FittedPathFamily::fitted_at(MapPoint place) const {
     const Point turn = coupler_turn(traced->linkage, states.front().bars, states[j]);
     const Point moving = states[j].point + turn * (bars.input_moving - traced->linkage.point);
     before += wrap_signed(std::arg((moving - bars.input_fixed) * std::conj(crank)) - before);
-    path.at.push_back({near_.point[j], before, states[j].distance});
+    path.at.push_back({near_.point[j], before, states[j].point, states[j].distance});
     if (states[j].distance > near_.tolerance[j]) path.outside.push_back(near_.point[j]);
   }
   path.realisations.push_back(bars);
