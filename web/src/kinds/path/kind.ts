@@ -82,7 +82,7 @@ function read_pivots(value: unknown): GroundPivots | null {
 function read(value: JsonObject): PathTask | null {
   const points = read_list(value.points, read_point, most_points),
     ground_pivots = read_pivots(value.given),
-    {closed, tolerance} = value;
+    {closed, tolerance, between} = value;
   if (value.kind !== "path" || value.mechanism !== "four_bar" || !points) return null;
   return {
     kind: "path",
@@ -90,6 +90,7 @@ function read(value: JsonObject): PathTask | null {
     points,
     ...(ground_pivots ? {given: {ground_pivots}} : {}),
     ...(typeof closed === "boolean" ? {closed} : {}),
+    ...(between === "free" || between === "polyline" ? {between} : {}),
     ...(is_number(tolerance) ? {tolerance} : {}),
   };
 }
