@@ -39,7 +39,7 @@ std::vector<std::size_t> positions_among(std::size_t states, bool closed) {
   return chosen;
 }
 
-Point direction(Point from, Point to) { return (to - from) / std::abs(to - from); }
+Point unit_towards(Point from, Point to) { return (to - from) / std::abs(to - from); }
 
 // By how much a coupler that is turned about the point, which stands at `there`, fails to be held by its links.
 double looseness(const TracingFourBar& linkage, Point turn, Point there) {
@@ -54,9 +54,9 @@ double looseness(const TracingFourBar& linkage, Point turn, Point there) {
 Point coupler_turn(const TracingFourBar& linkage, const FourBar& first, const FitState& state) {
   const FourBar& now = state.bars;
   const std::array<Point, 3> turns = {
-      direction(now.input_moving, now.output_moving) * std::conj(direction(first.input_moving, first.output_moving)),
-      direction(now.input_fixed, now.input_moving) * std::conj(direction(first.input_fixed, first.input_moving)),
-      direction(now.output_fixed, now.output_moving) * std::conj(direction(first.output_fixed, first.output_moving))};
+      unit_towards(now.input_moving, now.output_moving) * std::conj(unit_towards(first.input_moving, first.output_moving)),
+      unit_towards(now.input_fixed, now.input_moving) * std::conj(unit_towards(first.input_fixed, first.input_moving)),
+      unit_towards(now.output_fixed, now.output_moving) * std::conj(unit_towards(first.output_fixed, first.output_moving))};
   return *std::min_element(turns.begin(), turns.end(), [&](Point a, Point b) {
     return looseness(linkage, a, state.point) < looseness(linkage, b, state.point);
   });
