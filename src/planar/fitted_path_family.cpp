@@ -193,15 +193,16 @@ namespace {
 
 CurveFitOptions fit_options(const NearestTarget& near, const Requirements& requirements, const FitWishes& wishes,
                             const RegionOptions& options) {
+  constexpr double inside = 1e-7;  // what keeps a limit by the fit keeps it by the figures told
   CurveFitOptions fit;
   const double diagonal = near.target.diagonal();
   fit.effort = wishes.effort;
   fit.measure = wishes.measure;
-  fit.max_length = requirements.max_length.value_or(fit.max_length * diagonal) / diagonal;
-  fit.min_length = requirements.min_length.value_or(fit.min_length * diagonal) / diagonal;
-  fit.max_link_ratio = requirements.max_link_ratio;
+  fit.max_length = (1 - inside) * *requirements.max_length / diagonal;
+  fit.min_length = (1 + inside) * *requirements.min_length / diagonal;
+  fit.max_link_ratio = (1 - inside) * requirements.max_link_ratio;
   fit.grashof_margin = wishes.grashof_margin;
-  fit.min_transmission_angle = requirements.min_transmission_angle;
+  if (requirements.min_transmission_angle > 0) fit.min_transmission_angle = requirements.min_transmission_angle + inside;
   if (requirements.ground_pivots_within) fit.windows.ground = *requirements.ground_pivots_within;
   if (requirements.moving_pivots_within) fit.windows.moving = *requirements.moving_pivots_within;
   fit.threads = options.threads;
