@@ -116,7 +116,7 @@ LinkageFamily::CellAt FittedPathFamily::cells(bool respect_direction) const {
     std::optional<Cell> cell = judge(place, is_worth_it);
     const auto traced = traced_at(place);
     if (!cell || !traced) return cell;
-    cell->values[planar_measures.size()] = traced->fit.error.rms;
+    cell->values[planar_measures.size()] = error_of(traced->fit).rms;
     if (near_.target.closed && !input_is_crank(cell->type)) cell->defects.bits |= Defects::branch_bit;
     return cell;
   };
@@ -146,6 +146,25 @@ void FittedPathFamily::fill(RegionMap& map, std::span<const double> input, std::
   }
 }
 
+// Of the points of the task alone, by their numbers there.
+CurveError FittedPathFamily::error_of(const CurveFit& fit) const {
+  CurveError error = fit.error;
+  error.sum_of_squares = error.max = 0;
+  double weights = 0;
+  for (std::size_t j = 0; j < fit.states.size(); ++j) {
+    if (near_.point[j] == NearestTarget::between) continue;
+    const double weight = near_.target.weights[j], distance = fit.states[j].distance;
+    weights += weight;
+    error.sum_of_squares += weight * distance * distance;
+    if (!(weight > 0 && distance >= error.max)) continue;
+    error.max = distance;
+    error.max_at = near_.point[j];
+  }
+  error.rms = std::sqrt(error.sum_of_squares / weights);
+  error.rms_over_diagonal = error.rms / near_.target.diagonal();
+  return error;
+}
+
 std::optional<FittedPath> FittedPathFamily::fitted_at(MapPoint place) const {
   const auto traced = traced_at(place);
   if (!traced) return std::nullopt;
@@ -153,14 +172,14 @@ std::optional<FittedPath> FittedPathFamily::fitted_at(MapPoint place) const {
   const FourBar& bars = traced->linkage.bars;
   const Point crank = bars.input_moving - bars.input_fixed;
   FittedPath path;
-  path.error = traced->fit.error;
-  path.error.max_at = near_.point[traced->fit.error.max_at];
+  path.error = error_of(traced->fit);
   path.at_length_limit = traced->fit.at_length_limit;
   double before = 0;
   for (std::size_t j = 0; j < states.size(); ++j) {
     const Point turn = coupler_turn(traced->linkage, states.front().bars, states[j]);
     const Point moving = states[j].point + turn * (bars.input_moving - traced->linkage.point);
     before += wrap_signed(std::arg((moving - bars.input_fixed) * std::conj(crank)) - before);
+    if (near_.point[j] == NearestTarget::between) continue;
     path.at.push_back({near_.point[j], before, states[j].distance});
     if (states[j].distance > near_.tolerance[j]) path.outside.push_back(near_.point[j]);
   }
@@ -229,6 +248,19 @@ std::optional<Notice> about_defects(const CurveFits& found) {
                             "could pass at {:.4g} (root mean square).",
                             with->error.rms),
                 {{"rms", with->error.rms}}};
+}
+
+// Of the best, where it would surprise whoever sees the points alone.
+std::optional<Notice> about_straying(const FittedPathFamily& family, const NearestTarget& near) {
+  constexpr double of_error = 3, of_diagonal = 0.1;
+  const auto path = family.fitted_at({0.5, 0.5});
+  if (!path || path->error.excursion <= std::max(of_error * path->error.max, of_diagonal * near.target.diagonal()))
+    return std::nullopt;
+  return Notice{"path_strays",
+                fmt::format("Between the points the nearest path strays {:.4g} from the polygon through them; give more "
+                            "points there, or \"between\": \"polyline\".",
+                            path->error.excursion),
+                {{"excursion", path->error.excursion}}};
 }
 
 std::optional<Notice> about_exact(const NearestTarget& near) {
@@ -305,6 +337,7 @@ TaskFamily family_of_nearest(const PathTask& task, const Requirements& requireme
   }
   const auto family = std::make_shared<const FittedPathFamily>(near, std::move(found.fits));
   if (auto notice = about_tolerance(near, *family)) given.warnings.push_back(*std::move(notice));
+  if (auto notice = about_straying(*family, near)) given.warnings.push_back(*std::move(notice));
   given.paths = family;
   given.family = family;
   return given;

@@ -82,6 +82,7 @@ struct PathTask {
   // five points without angles.
   bool closed = false;              ///< from the last point on to the first, by an input that turns fully
   std::optional<double> tolerance;  ///< of all points without their own, user's unit, > 0
+  bool along_polygon = false;       ///< between the points the path keeps to the polygon through them
 
   [[nodiscard]] const LinkageClass& linkage_class() const {
     return is_approximate() ? near_path_linkages : path_linkages;
