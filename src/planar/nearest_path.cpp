@@ -104,8 +104,10 @@ void check_tolerances(const PathTask& task, std::vector<Error>& found) {
 
 }  // namespace
 
+std::string_view name(PathBetween between) { return between == PathBetween::free ? "free" : "polyline"; }
+
 bool PathTask::asks_for_nearest() const {
-  return closed || tolerance || along_polygon || std::any_of(points.begin(), points.end(), [](const PathPoint& point) {
+  return closed || tolerance || between || std::any_of(points.begin(), points.end(), [](const PathPoint& point) {
            return point.tolerance || point.weight;
          });
 }
@@ -200,7 +202,7 @@ NearestTarget nearest_target(const PathTask& task) {
     near.target.weights.push_back(weight_of(task, i, unit));
     near.tolerance.push_back(task.tolerance_at(i).value_or(std::numeric_limits<double>::infinity()));
   }
-  if (task.along_polygon) put_middles_between(near);
+  if (task.between == PathBetween::polyline) put_middles_between(near);
   if (!repeated.empty())
     near.warnings.push_back(left_out("path_points_repeated", "each at the place of the point before", repeated));
   if (!closing.empty())

@@ -103,12 +103,8 @@ void fields(FieldVisitor& v, PathTask& task) {
         task.closed);
     to.given(Field("tolerance", "The path passes near its points: how far from each without a tolerance of its own."),
              task.tolerance, forms::length);
-    std::size_t between = task.along_polygon ? 1 : 0;
-    to.optional(Field("between",
-                      "Between its points a path that passes near them is free, or keeps to the polygon through them.")
-                    .written(task.along_polygon),
-                between, Words{{"free", "polyline"}});
-    task.along_polygon = between == 1;
+    to.given(Field("between", "The path passes near its points; between them it is free, or keeps to the polyline."),
+             task.between, Names<PathBetween>{{PathBetween::free, PathBetween::polyline}});
   });
 }
 
