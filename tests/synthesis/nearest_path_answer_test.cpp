@@ -139,7 +139,7 @@ TEST(NearestPathAnswer, KeepsWhatIsRequired) {
       << "less is asked there";
 }
 
-TEST(NearestPathAnswer, SaysByHowMuchATolleranceIsMissed) {
+TEST(NearestPathAnswer, SaysByHowMuchAToleranceIsMissed) {
   PathTask task = bean();
   task.tolerance = 1e-3;
   const PathAnswer answer = solved(task);
@@ -148,7 +148,7 @@ TEST(NearestPathAnswer, SaysByHowMuchATolleranceIsMissed) {
   const auto missed = std::find_if(answer.warnings.begin(), answer.warnings.end(),
                                    [](const Notice& notice) { return notice.code == "path_tolerance_missed"; });
   ASSERT_NE(missed, answer.warnings.end());
-  EXPECT_GT(missed->values.front().number(), 1);
+  EXPECT_GT(std::get<double>(missed->values.front().value), 1);
   task.tolerance = 50;
   const PathAnswer wide = solved(task);
   EXPECT_TRUE(wide.linkages.front().fit->outside.empty());
