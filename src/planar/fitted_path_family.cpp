@@ -122,6 +122,13 @@ LinkageFamily::CellAt FittedPathFamily::cells(bool respect_direction) const {
   };
 }
 
+std::vector<Cell> FittedPathFamily::all_at(MapPoint place, bool respect_direction) const {
+  std::vector<Cell> all;
+  for (std::size_t k = 0; k < most_realisations; ++k)
+    if (auto found = cell({place.input, static_cast<double>(k) + 0.5}, respect_direction)) all.push_back(*found);
+  return all;
+}
+
 void FittedPathFamily::fill(RegionMap& map, std::span<const double> input, std::span<const double> output,
                             bool respect_direction, const RegionOptions& options, const Progress& progress) const {
   constexpr bool of_pairs = false;
