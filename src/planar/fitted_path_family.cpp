@@ -187,7 +187,7 @@ std::optional<FittedPath> FittedPathFamily::fitted_at(MapPoint place) const {
     const Point moving = states[j].point + turn * (bars.input_moving - traced->linkage.point);
     before += wrap_signed(std::arg((moving - bars.input_fixed) * std::conj(crank)) - before);
     if (near_.point[j] == NearestTarget::between) continue;
-    path.at.push_back({near_.point[j], before, states[j].distance});
+    path.at.push_back({near_.point[j], before, states[j].point, states[j].distance});
     if (states[j].distance > near_.tolerance[j]) path.outside.push_back(near_.point[j]);
   }
   path.realisations.push_back(bars);

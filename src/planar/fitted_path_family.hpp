@@ -35,9 +35,9 @@ class FittedPathFamily : public PathFamily {
   [[nodiscard]] std::vector<Dyad> polygon(Side /*side*/) const override { return {}; }
   /// Of a closed path only an input that turns fully is without defects.
   [[nodiscard]] CellAt cells(bool respect_direction) const override;
-  /// All three four-bars with the path of the one there.
-  [[nodiscard]] std::vector<Cell> all_at(MapPoint place, bool respect_direction) const override;
 
+  /// The four-bars that trace the curve at the place, in their order.
+  [[nodiscard]] std::vector<Cell> all_at(MapPoint place, bool respect_direction) const override;
   [[nodiscard]] std::optional<FittedPath> fitted_at(MapPoint place) const override;
   /// The three four-bars of a curve are one design.
   [[nodiscard]] double distance(const Pivots& one, const Pivots& other) const override;

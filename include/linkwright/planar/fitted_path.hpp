@@ -25,6 +25,7 @@ struct FittedPath {
   struct Nearest {
     std::size_t point = 0;  ///< of the task, from 0
     double input = 0;       ///< turn of the input from position 1, radians
+    Point place{};          ///< of the path
     double distance = 0;
   };
 

@@ -88,6 +88,7 @@ void nearest_field(FieldVisitor& v, const FittedPath& path) {
       each.object({.name = "nearest_to_point"}, [&](FieldVisitor& of) {
         of.shown(Field("point", "From 1."), static_cast<std::int64_t>(nearest.point) + 1, forms::count);
         of.shown(Field("input_deg", "Turn of the input from position 1."), degrees(nearest.input), Number{});
+        of.shown(Field("place", "Of the path, fixed frame."), std::optional(nearest.place), forms::shown_point);
         of.shown("distance", nearest.distance, forms::not_negative);
       });
     });

@@ -15,4 +15,4 @@ export interface Layers {
 }
 export type FollowedPath = CarriedPoint &
   Layers &
-  Pick<FourBar, "input_deg_at_points" | "theta_deg_at_points" | "cognate" | "full_turn" | "circuit_order">;
+  Pick<FourBar, "input_deg_at_points" | "theta_deg_at_points" | "cognate" | "fit" | "full_turn" | "circuit_order">;
