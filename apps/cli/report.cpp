@@ -158,6 +158,8 @@ std::string score_words(Objective objective, const FourBarSolution& found, int d
       return rounded_text(found.lengths.longest() / found.lengths.shortest(), 3);
     case Objective::size:
       return rounded_text(found.lengths.longest(), decimals);
+    case Objective::path_error:
+      return significant_text(found.fit ? found.fit->error.rms : 0, 4) + " (root mean square)";
     case Objective::structural_error:
       return significant_text(degrees(found.function ? found.function->max_structural_error.value_or(0) : 0), 3) + "°";
     default:

@@ -22,11 +22,12 @@ bool same_start(const CouplerLinkage& a, const CouplerLinkage& b) {
 }
 
 // The best that are not the same start, up to `count`; pairs by ascending score.
-void append_distinct(const std::vector<DyadPair>& pairs, bool clean, std::size_t count, std::vector<DyadPair>& chosen) {
+void append_distinct(const std::vector<DyadPair>& pairs, bool clean, bool compact, std::size_t count,
+                     std::vector<DyadPair>& chosen) {
   std::vector<const DyadPair*> taken;
   for (const DyadPair& pair : pairs) {
     if (taken.size() == count) break;
-    if ((pair.driver != 0) != clean) continue;
+    if ((pair.driver != 0) != clean || (clean && is_compact(pair.linkage) != compact)) continue;
     const auto same = [&](const DyadPair* other) { return same_start(pair.linkage, other->linkage); };
     if (std::none_of(taken.begin(), taken.end(), same)) taken.push_back(&pair);
   }
@@ -125,8 +126,9 @@ class Search {
     for (const auto& here : at) pairs.insert(pairs.end(), here.begin(), here.end());
     std::stable_sort(pairs.begin(), pairs.end(), [](const auto& a, const auto& b) { return a.score < b.score; });
     std::vector<DyadPair> distinct;
-    append_distinct(pairs, true, effort_.starts * 3 / 4, distinct);
-    append_distinct(pairs, false, effort_.starts - distinct.size(), distinct);
+    append_distinct(pairs, true, true, effort_.starts / 4, distinct);
+    append_distinct(pairs, true, false, effort_.starts * 3 / 4 - distinct.size(), distinct);
+    append_distinct(pairs, false, false, effort_.starts - distinct.size(), distinct);
     return distinct;
   }
 
@@ -163,10 +165,16 @@ class Search {
     sort_by_cost(starts);
   }
 
+  // Of those with a driver a third is kept for compact ones.
   static void keep_best(std::vector<CurveStart>& starts, std::size_t clean, std::size_t any) {
+    std::size_t compact = 0;
+    for (const CurveStart& start : starts) compact += start.branch != 0 && is_compact(start.linkage) ? 1 : 0;
+    compact = std::min(compact, clean / 3);
+    clean -= compact;
     std::vector<CurveStart> kept;
     for (CurveStart& start : starts) {
-      std::size_t& left = start.branch != 0 ? clean : any;
+      const bool takes_compact = start.branch != 0 && is_compact(start.linkage) && compact > 0;
+      std::size_t& left = start.branch == 0 ? any : takes_compact ? compact : clean;
       if (left == 0) continue;
       --left;
       kept.push_back(std::move(start));
@@ -236,10 +244,10 @@ class Search {
 
   // Near circles and straight lines least squares creep along flat valleys: the best get longer.
   void creep(std::vector<CurveStart>& starts) {
-    constexpr std::size_t best = 12;
-    std::size_t left = best;
+    std::size_t far = 8, compact = 6;
     std::vector<CurveStart> creeping, others;
     for (CurveStart& start : starts) {
+      std::size_t& left = is_compact(start.linkage) ? compact : far;
       const bool goes_on = start.branch != 0 && left > 0;
       if (goes_on) --left;
       start.converged = false;

@@ -128,11 +128,14 @@ class PairRating {
 // The best of a pattern.
 struct PatternBest {
   double value = infinite;  ///< least eigenvalue
-  std::optional<DyadPair> any, clean;
+  std::optional<DyadPair> any, clean, compact;
 
   void offer(const DyadPair& pair) {
-    if (!any || pair.score < any->score) any = pair;
-    if (pair.driver != 0 && (!clean || pair.score < clean->score)) clean = pair;
+    const auto keep_better = [&pair](std::optional<DyadPair>& best) {
+      if (!best || pair.score < best->score) best = pair;
+    };
+    keep_better(any);
+    if (pair.driver != 0) keep_better(is_compact(pair.linkage) ? compact : clean);
   }
 };
 
@@ -150,7 +153,7 @@ class PivotScan {
       least = std::min(least, block_.value[0][k]);
     }
     // Most second dyads never get computed.
-    constexpr double worth = 5, rounding = 1e-12;
+    constexpr double worth = 25, rounding = 1e-12;
     for (std::size_t k = 0; k < dyads_.size(); ++k)
       if (block_.value[0][k] <= worth * best_of(k).value + rounding) offer_pairs(k);
     return listed();
@@ -208,6 +211,7 @@ class PivotScan {
     std::vector<DyadPair> pairs;
     for (const PatternBest& of : best_) {
       if (of.clean) pairs.push_back(*of.clean);
+      if (of.compact) pairs.push_back(*of.compact);
       if (of.any && of.any->driver == 0) pairs.push_back(*of.any);
     }
     return pairs;

@@ -39,7 +39,7 @@ std::vector<std::size_t> positions_among(std::size_t states, bool closed) {
   return chosen;
 }
 
-Point direction_between(Point from, Point to) { return (to - from) / std::abs(to - from); }
+Point unit_towards(Point from, Point to) { return (to - from) / std::abs(to - from); }
 
 // By how much a coupler that is turned about the point, which stands at `there`, fails to be held by its links.
 double looseness(const TracingFourBar& linkage, Point turn, Point there) {
@@ -54,9 +54,9 @@ double looseness(const TracingFourBar& linkage, Point turn, Point there) {
 Point coupler_turn(const TracingFourBar& linkage, const FourBar& first, const FitState& state) {
   const FourBar& now = state.bars;
   const std::array<Point, 3> turns = {
-      direction_between(now.input_moving, now.output_moving) * std::conj(direction_between(first.input_moving, first.output_moving)),
-      direction_between(now.input_fixed, now.input_moving) * std::conj(direction_between(first.input_fixed, first.input_moving)),
-      direction_between(now.output_fixed, now.output_moving) * std::conj(direction_between(first.output_fixed, first.output_moving))};
+      unit_towards(now.input_moving, now.output_moving) * std::conj(unit_towards(first.input_moving, first.output_moving)),
+      unit_towards(now.input_fixed, now.input_moving) * std::conj(unit_towards(first.input_fixed, first.input_moving)),
+      unit_towards(now.output_fixed, now.output_moving) * std::conj(unit_towards(first.output_fixed, first.output_moving))};
   return *std::min_element(turns.begin(), turns.end(), [&](Point a, Point b) {
     return looseness(linkage, a, state.point) < looseness(linkage, b, state.point);
   });
@@ -116,10 +116,17 @@ LinkageFamily::CellAt FittedPathFamily::cells(bool respect_direction) const {
     std::optional<Cell> cell = judge(place, is_worth_it);
     const auto traced = traced_at(place);
     if (!cell || !traced) return cell;
-    cell->values[planar_measures.size()] = traced->fit.error.rms;
+    cell->values[planar_measures.size()] = error_of(traced->fit).rms;
     if (near_.target.closed && !input_is_crank(cell->type)) cell->defects.bits |= Defects::branch_bit;
     return cell;
   };
+}
+
+std::vector<Cell> FittedPathFamily::all_at(MapPoint place, bool respect_direction) const {
+  std::vector<Cell> all;
+  for (std::size_t k = 0; k < most_realisations; ++k)
+    if (auto found = cell({place.input, static_cast<double>(k) + 0.5}, respect_direction)) all.push_back(*found);
+  return all;
 }
 
 void FittedPathFamily::fill(RegionMap& map, std::span<const double> input, std::span<const double> output,
@@ -146,11 +153,23 @@ void FittedPathFamily::fill(RegionMap& map, std::span<const double> input, std::
   }
 }
 
-std::vector<Cell> FittedPathFamily::all_at(MapPoint place, bool respect_direction) const {
-  std::vector<Cell> all;
-  for (std::size_t k = 0; k < most_realisations; ++k)
-    if (const auto found = cell({place.input, static_cast<double>(k) + 0.5}, respect_direction)) all.push_back(*found);
-  return all;
+// Of the points of the task alone, by their numbers there.
+CurveError FittedPathFamily::error_of(const CurveFit& fit) const {
+  CurveError error = fit.error;
+  error.sum_of_squares = error.max = 0;
+  double weights = 0;
+  for (std::size_t j = 0; j < fit.states.size(); ++j) {
+    if (near_.point[j] == NearestTarget::between) continue;
+    const double weight = near_.target.weights[j], distance = fit.states[j].distance;
+    weights += weight;
+    error.sum_of_squares += weight * distance * distance;
+    if (!(weight > 0 && distance >= error.max)) continue;
+    error.max = distance;
+    error.max_at = near_.point[j];
+  }
+  error.rms = std::sqrt(error.sum_of_squares / weights);
+  error.rms_over_diagonal = error.rms / near_.target.diagonal();
+  return error;
 }
 
 std::optional<FittedPath> FittedPathFamily::fitted_at(MapPoint place) const {
@@ -160,14 +179,14 @@ std::optional<FittedPath> FittedPathFamily::fitted_at(MapPoint place) const {
   const FourBar& bars = traced->linkage.bars;
   const Point crank = bars.input_moving - bars.input_fixed;
   FittedPath path;
-  path.error = traced->fit.error;
-  path.error.max_at = near_.point[traced->fit.error.max_at];
+  path.error = error_of(traced->fit);
   path.at_length_limit = traced->fit.at_length_limit;
   double before = 0;
   for (std::size_t j = 0; j < states.size(); ++j) {
     const Point turn = coupler_turn(traced->linkage, states.front().bars, states[j]);
     const Point moving = states[j].point + turn * (bars.input_moving - traced->linkage.point);
     before += wrap_signed(std::arg((moving - bars.input_fixed) * std::conj(crank)) - before);
+    if (near_.point[j] == NearestTarget::between) continue;
     path.at.push_back({near_.point[j], before, states[j].point, states[j].distance});
     if (states[j].distance > near_.tolerance[j]) path.outside.push_back(near_.point[j]);
   }
@@ -200,15 +219,16 @@ namespace {
 
 CurveFitOptions fit_options(const NearestTarget& near, const Requirements& requirements, const FitWishes& wishes,
                             const RegionOptions& options) {
+  constexpr double inside = 1e-7;  // what keeps a limit by the fit keeps it by the figures told
   CurveFitOptions fit;
   const double diagonal = near.target.diagonal();
   fit.effort = wishes.effort;
   fit.measure = wishes.measure;
-  fit.max_length = requirements.max_length.value_or(fit.max_length * diagonal) / diagonal;
-  fit.min_length = requirements.min_length.value_or(fit.min_length * diagonal) / diagonal;
-  fit.max_link_ratio = requirements.max_link_ratio;
+  fit.max_length = (1 - inside) * *requirements.max_length / diagonal;
+  fit.min_length = (1 + inside) * *requirements.min_length / diagonal;
+  fit.max_link_ratio = (1 - inside) * requirements.max_link_ratio;
   fit.grashof_margin = wishes.grashof_margin;
-  fit.min_transmission_angle = requirements.min_transmission_angle;
+  if (requirements.min_transmission_angle > 0) fit.min_transmission_angle = requirements.min_transmission_angle + inside;
   if (requirements.ground_pivots_within) fit.windows.ground = *requirements.ground_pivots_within;
   if (requirements.moving_pivots_within) fit.windows.moving = *requirements.moving_pivots_within;
   fit.threads = options.threads;
@@ -235,6 +255,19 @@ std::optional<Notice> about_defects(const CurveFits& found) {
                             "could pass at {:.4g} (root mean square).",
                             with->error.rms),
                 {{"rms", with->error.rms}}};
+}
+
+// Of the best, where it would surprise whoever sees the points alone.
+std::optional<Notice> about_straying(const FittedPathFamily& family, const NearestTarget& near) {
+  constexpr double of_error = 3, of_diagonal = 0.1;
+  const auto path = family.fitted_at({0.5, 0.5});
+  if (!path || path->error.excursion <= std::max(of_error * path->error.max, of_diagonal * near.target.diagonal()))
+    return std::nullopt;
+  return Notice{"path_strays",
+                fmt::format("Between the points the nearest path strays {:.4g} from the polygon through them; give more "
+                            "points there, or \"between\": \"polyline\".",
+                            path->error.excursion),
+                {{"excursion", path->error.excursion}}};
 }
 
 std::optional<Notice> about_exact(const NearestTarget& near) {
@@ -311,6 +344,7 @@ TaskFamily family_of_nearest(const PathTask& task, const Requirements& requireme
   }
   const auto family = std::make_shared<const FittedPathFamily>(near, std::move(found.fits));
   if (auto notice = about_tolerance(near, *family)) given.warnings.push_back(*std::move(notice));
+  if (auto notice = about_straying(*family, near)) given.warnings.push_back(*std::move(notice));
   given.paths = family;
   given.family = family;
   return given;

@@ -50,6 +50,7 @@ class FittedPathFamily : public PathFamily {
   };
   [[nodiscard]] std::optional<Traced> traced_at(MapPoint place) const;
   [[nodiscard]] std::optional<std::size_t> curve_of(const Pivots& pivots) const;
+  [[nodiscard]] CurveError error_of(const CurveFit& fit) const;
   void fill(RegionMap& map, std::span<const double> input, std::span<const double> output, bool respect_direction,
             const RegionOptions& options, const Progress& progress) const override;
 

@@ -5,6 +5,7 @@
 #include <cmath>
 #include <fmt/format.h>
 #include <limits>
+#include <utility>
 
 #include "core/number_check.hpp"
 #include "linkwright/core/tolerance.hpp"
@@ -103,8 +104,10 @@ void check_tolerances(const PathTask& task, std::vector<Error>& found) {
 
 }  // namespace
 
+std::string_view name(PathBetween between) { return between == PathBetween::free ? "free" : "polyline"; }
+
 bool PathTask::asks_for_nearest() const {
-  return closed || tolerance || std::any_of(points.begin(), points.end(), [](const PathPoint& point) {
+  return closed || tolerance || between || std::any_of(points.begin(), points.end(), [](const PathPoint& point) {
            return point.tolerance || point.weight;
          });
 }
@@ -156,6 +159,25 @@ double tolerance_unit(const PathTask& task) {
   return std::isfinite(least) ? least : 1;
 }
 
+// Of each side of the polygon its middle, as a point of a quarter of the weight.
+void put_middles_between(NearestTarget& near) {
+  constexpr double share = 0.25;
+  const NearestTarget given = std::exchange(near, {{{}, {}, near.target.closed}, {}, {}, std::move(near.warnings)});
+  const std::size_t count = given.point.size();
+  for (std::size_t j = 0; j < count; ++j) {
+    near.target.points.push_back(given.target.points[j]);
+    near.target.weights.push_back(given.target.weights[j]);
+    near.point.push_back(given.point[j]);
+    near.tolerance.push_back(given.tolerance[j]);
+    if (j + 1 == count && !near.target.closed) return;
+    const std::size_t next = (j + 1) % count;
+    near.target.points.push_back(0.5 * (given.target.points[j] + given.target.points[next]));
+    near.target.weights.push_back(share * std::min(given.target.weights[j], given.target.weights[next]));
+    near.point.push_back(NearestTarget::between);
+    near.tolerance.push_back(std::numeric_limits<double>::infinity());
+  }
+}
+
 }  // namespace
 
 NearestTarget nearest_target(const PathTask& task) {
@@ -180,6 +202,7 @@ NearestTarget nearest_target(const PathTask& task) {
     near.target.weights.push_back(weight_of(task, i, unit));
     near.tolerance.push_back(task.tolerance_at(i).value_or(std::numeric_limits<double>::infinity()));
   }
+  if (task.between == PathBetween::polyline) put_middles_between(near);
   if (!repeated.empty())
     near.warnings.push_back(left_out("path_points_repeated", "each at the place of the point before", repeated));
   if (!closing.empty())

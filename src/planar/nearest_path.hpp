@@ -13,8 +13,10 @@ namespace linkwright {
 
 /// What a path is to pass near, and of each of its points which of the task it is.
 struct NearestTarget {
+  static constexpr auto between = static_cast<std::size_t>(-1);
+
   CurveTarget target;
-  std::vector<std::size_t> point;  ///< index in the task, rising
+  std::vector<std::size_t> point;  ///< index in the task, rising; `between`: a middle of a side of the polygon
   std::vector<double> tolerance;   ///< infinite where none is given
   std::vector<Notice> warnings;    ///< points that were left out: equal neighbours, a closed path's first at its end
 };

@@ -169,7 +169,10 @@ template <class KindAnswer>
 bool leaves_few(const KindAnswer& answer) {
   return !answer.given.points.empty() && !answer.given.curve;
 }
-bool leaves_few(const PathAnswer& answer) { return !answer.given.paths->few_places().empty(); }
+// Of the nearest paths each linkage listed has the others that trace its path.
+bool leaves_few(const PathAnswer& answer) {
+  return !answer.task.is_approximate() && !answer.given.paths->few_places().empty();
+}
 
 template <class KindAnswer>
 void list_there(KindAnswer& answer) {

@@ -57,6 +57,14 @@ enum class PathTiming { none, some, all };
 /// "none", "some", "all".
 [[nodiscard]] std::string_view name(PathTiming timing);
 
+/// What becomes of a path between points that it is to pass near.
+enum class PathBetween {
+  free,
+  polyline  ///< it keeps to the polygon through the points
+};
+/// "free", "polyline".
+[[nodiscard]] std::string_view name(PathBetween between);
+
 /// What a path task leaves open, and thereby what its map runs over.
 enum class PathForm {
   cranks,         ///< four or five timed positions: pairs of cranks
@@ -78,17 +86,18 @@ struct PathTask {
   std::vector<PathPoint> points;
   GroundPivots pivots;
   std::optional<Box> box;  ///< of five plain positions: where the input's ground pivot is searched for, user's unit
-  // Of paths that pass near points; one of them, a tolerance or a weight of a point asks for these, and so do more than
+  // Of paths that pass near points; one of them, or a tolerance or a weight of a point, asks for these, and so do more than
   // five points without angles.
   bool closed = false;              ///< from the last point on to the first, by an input that turns fully
   std::optional<double> tolerance;  ///< of all points without their own, user's unit, > 0
+  std::optional<PathBetween> between;  ///< nothing: free
 
   [[nodiscard]] const LinkageClass& linkage_class() const {
     return is_approximate() ? near_path_linkages : path_linkages;
   }
   /// The path is to pass near the points, not through them.
   [[nodiscard]] bool is_approximate() const;
-  /// A closed path, a tolerance or a weight is given.
+  /// What only these have is given.
   [[nodiscard]] bool asks_for_nearest() const;
   /// Of a point; nothing: none is given.
   [[nodiscard]] std::optional<double> tolerance_at(std::size_t point) const;

@@ -103,6 +103,8 @@ void fields(FieldVisitor& v, PathTask& task) {
         task.closed);
     to.given(Field("tolerance", "The path passes near its points: how far from each without a tolerance of its own."),
              task.tolerance, forms::length);
+    to.given(Field("between", "The path passes near its points; between them it is free, or keeps to the polyline."),
+             task.between, Names<PathBetween>{{PathBetween::free, PathBetween::polyline}});
   });
 }
 
