@@ -59,7 +59,9 @@ describe("places along a polyline", () => {
   it("are closer together where it bends", () => {
     const ellipse = circle(400).map(([x, y]): Point => [10 * x, y]);
     const at_tips = (points: readonly Point[]) => points.filter(([x]) => Math.abs(x) > 9).length;
-    expect(at_tips(resampled(ellipse, true))).toBeGreaterThan(1.5 * at_tips(evenly_spaced(ellipse, true, drawn_points)));
+    expect(at_tips(resampled(ellipse, true))).toBeGreaterThan(
+      1.5 * at_tips(evenly_spaced(ellipse, true, drawn_points)),
+    );
   });
   it("are those of a straight line, too", () => {
     const xs = resampled([[0, 0], [10, 0]], false, 6).map(([x]) => x); // prettier-ignore

@@ -113,8 +113,7 @@ function along(
     edges = closed ? line.length : line.length - 1;
   if (line.length < 2 || count < 2) return line.slice(0, count);
   const reached = [0];
-  for (let i = 0; i < edges; ++i)
-    reached.push(reached[i]! + cost(distance(line[i]!, line[(i + 1) % line.length]!), i));
+  for (let i = 0; i < edges; ++i) reached.push(reached[i]! + cost(distance(line[i]!, line[(i + 1) % line.length]!), i));
   const step = reached.at(-1)! / (closed ? count : count - 1);
   let edge = 0;
   return Array.from({length: count}, (_, k) => {

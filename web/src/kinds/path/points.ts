@@ -203,7 +203,10 @@ export function with_point_number(
 export function smoothed_points(problem: Problem): Problem {
   return changed(problem, (task) => {
     const places = smoothed(task.points.map(place_of), task.closed === true);
-    return {...task, points: task.points.map((point, i) => ({...point, x: tidy(places[i]![0]), y: tidy(places[i]![1])}))};
+    return {
+      ...task,
+      points: task.points.map((point, i) => ({...point, x: tidy(places[i]![0]), y: tidy(places[i]![1])})),
+    };
   });
 }
 const tidy = (value: number) => Number(value.toPrecision(7));
