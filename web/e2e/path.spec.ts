@@ -308,6 +308,7 @@ test("a bean: drawn, followed before the mouse is let go, its four-bars flicked 
   await page.keyboard.press("Enter");
   await until_settled(page);
   await expect(page.getByTestId("path.tube")).toBeVisible();
+  await page.mouse.move(5, 5);
   await page.setViewportSize({width: 1024, height: 768});
   await until_settled(page);
   await keep_screenshot(page, "path_near-1024");
@@ -329,6 +330,7 @@ test("a bean: drawn, followed before the mouse is let go, its four-bars flicked 
   await page.mouse.down();
   for (const {x, y} of pixels) await page.mouse.move(x, y);
   await page.mouse.up();
+  await page.mouse.move(5, 5);
   await until_settled(page);
   expect((await task_of(page)).points).toHaveLength(24);
   expect((await fit_of(page)).error.rms_over_diagonal).toBeLessThan(0.01);
