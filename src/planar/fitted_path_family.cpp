@@ -119,6 +119,7 @@ LinkageFamily::CellAt FittedPathFamily::cells(bool respect_direction) const {
     const auto traced = traced_at(place);
     if (!cell || !traced) return cell;
     cell->values[planar_measures.size()] = error_of(traced->fit).rms;
+    if (near_.target.closed) cell->values[0] = cell->values[1];  // it is run all along
     if (near_.target.closed && !input_is_crank(cell->type)) cell->defects.bits |= Defects::branch_bit;
     return cell;
   };
