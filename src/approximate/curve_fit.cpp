@@ -6,28 +6,11 @@
 
 #include "approximate/curve_search.hpp"
 #include "approximate/fit_result.hpp"
-#include "approximate/limit_refit.hpp"
+#include "approximate/start_list.hpp"
 #include "linkwright/core/parallel.hpp"
-#include "linkwright/core/precondition.hpp"
 
 namespace linkwright {
 namespace {
-
-void require_target(const CurveTarget& target) {
-  std::vector<Point> distinct;
-  for (const Point point : target.points) {
-    require(is_finite(point), "points of a curve are finite");
-    if (distinct.size() < 3 && std::find(distinct.begin(), distinct.end(), point) == distinct.end())
-      distinct.push_back(point);
-  }
-  require(distinct.size() == 3, "a curve has three distinct points at least");
-  require(target.weights.empty() || target.weights.size() == target.points.size(), "a weight belongs to each point");
-  const auto usable = [](double weight) { return weight >= 0 && std::isfinite(weight); };
-  require(std::all_of(target.weights.begin(), target.weights.end(), usable), "weights are not negative");
-  const auto none = [](double weight) { return weight == 0; };
-  require(target.weights.empty() || !std::all_of(target.weights.begin(), target.weights.end(), none),
-          "a weight is above 0");
-}
 
 FitLimits scaled_limits(const CurveFitOptions& options, const ScaledTarget& target) {
   FitLimits limits = limits_of(options, target.closed, target.diagonal);
@@ -77,7 +60,7 @@ CurveFits sorted_out(std::vector<FoundCurve> all, const CurveTarget& target, con
 }  // namespace
 
 CurveFits fit_curve(const CurveTarget& target, const CurveFitOptions& options, const Progress& progress) {
-  require_target(target);
+  require_curve_target(target);
   const ScaledTarget scaled = scaled_target(target);
   const FitLimits limits = scaled_limits(options, scaled);
   CurveSearch search = search_curves(scaled, limits, options, progress);
@@ -85,7 +68,9 @@ CurveFits fit_curve(const CurveTarget& target, const CurveFitOptions& options, c
   parallel_for(all.size(), options.threads, [&](std::size_t begin, std::size_t end) {
     for (std::size_t k = begin; k < end; ++k) {
       const CurveStart& start = search.minima[k];
-      all[k] = {curve_fit_of(in_user_frame(start.linkage, scaled), start.states, target, options), start.linkage};
+      all[k] = {
+          curve_fit_of(in_user_frame(start.linkage, scaled), start.states, target, options, FirstRealisation::best),
+          start.linkage};
     }
   });
   CurveFits found = sorted_out(std::move(all), target, options);

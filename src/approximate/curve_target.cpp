@@ -1,7 +1,8 @@
 #include <algorithm>
 #include <cmath>
 
-#include "linkwright/approximate/curve_fit.hpp"
+#include "approximate/fit_result.hpp"
+#include "linkwright/core/precondition.hpp"
 
 namespace linkwright {
 
@@ -11,6 +12,22 @@ double CurveTarget::diagonal() const {
   const auto [left, right] = std::minmax_element(points.begin(), points.end(), by_x);
   const auto [lowest, highest] = std::minmax_element(points.begin(), points.end(), by_y);
   return points.empty() ? 0 : std::hypot(right->real() - left->real(), highest->imag() - lowest->imag());
+}
+
+void require_curve_target(const CurveTarget& target) {
+  std::vector<Point> distinct;
+  for (const Point point : target.points) {
+    require(is_finite(point), "points of a curve are finite");
+    if (distinct.size() < 3 && std::find(distinct.begin(), distinct.end(), point) == distinct.end())
+      distinct.push_back(point);
+  }
+  require(distinct.size() == 3, "a curve has three distinct points at least");
+  require(target.weights.empty() || target.weights.size() == target.points.size(), "a weight belongs to each point");
+  const auto usable = [](double weight) { return weight >= 0 && std::isfinite(weight); };
+  require(std::all_of(target.weights.begin(), target.weights.end(), usable), "weights are not negative");
+  const auto none = [](double weight) { return weight == 0; };
+  require(target.weights.empty() || !std::all_of(target.weights.begin(), target.weights.end(), none),
+          "a weight is above 0");
 }
 
 std::string_view name(FitEffort effort) {

@@ -34,6 +34,13 @@ struct DyadPair {
   char driver = 0;   ///< 'e', 'u' or 'g', which turns one way and meets no dead point, as the points show; 0: none
 };
 
+/// Its fixed pivots are near each other, as those of most double cranks are: along a circle they are lost among long
+/// linkages, which come nearer sooner.
+[[nodiscard]] inline bool is_compact(const CouplerLinkage& linkage) {
+  constexpr double near = 1;
+  return std::norm(linkage.b0 - linkage.a0) < near * near;
+}
+
 /// The states of a pair at the points, its loop being closed as nearly as the second dyad fits.
 [[nodiscard]] std::vector<LoopState> states_of(const DyadPair& pair, std::span<const Point> chosen);
 

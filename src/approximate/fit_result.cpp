@@ -146,7 +146,7 @@ FitLimits limits_of(const CurveFitOptions& options, bool closed, double diagonal
 }
 
 CurveFit curve_fit_of(const CouplerLinkage& linkage, std::span<const LoopState> states, const CurveTarget& target,
-                      const CurveFitOptions& options) {
+                      const CurveFitOptions& options, FirstRealisation choice) {
   const double diagonal = target.diagonal();
   const CircuitDrive drive =
       drive_along_circuit(linkage, states, target.points, target.closed, noise_of(linkage, states, target));
@@ -154,7 +154,8 @@ CurveFit curve_fit_of(const CouplerLinkage& linkage, std::span<const LoopState> 
   const FitLimits limits = limits_of(options, target.closed, diagonal);
   std::vector<bool> within;
   for (const Realisation& of : all) within.push_back(keeps(limits, options.windows, of, diagonal));
-  const std::size_t first = best_realisation(all, drive, target.closed, within);
+  const bool given = choice == FirstRealisation::as_given;
+  const std::size_t first = given ? 0 : best_realisation(all, drive, target.closed, within);
   const Realisation& best = all[first];
 
   CurveFit fit;

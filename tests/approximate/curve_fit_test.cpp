@@ -1,5 +1,6 @@
 #include "linkwright/approximate/curve_fit.hpp"
 
+#include <algorithm>
 #include <atomic>
 #include <gtest/gtest.h>
 
@@ -76,6 +77,37 @@ TEST(CurveFit, IsTheSameWhateverTheThreadsAndTheInstructionSet) {
   ASSERT_EQ(first.fits.size(), second.fits.size());
   for (std::size_t k = 0; k < first.fits.size(); ++k)
     EXPECT_EQ(farthest_pivot(first.fits[k].linkage().bars, second.fits[k].linkage().bars), 0);
+}
+
+TEST(CompareWithCurve, SaysOfAFitWhatTheFitSays) {
+  for (const char* const name : {"yu1", "mkh3", "wu3_open"}) {
+    const CurveTarget target = testing::curve_case(name).target;
+    const CurveFits found = fit_curve(target, {.effort = FitEffort::quick});
+    ASSERT_FALSE(found.fits.empty());
+    const CurveFit& fit = found.fits.front();
+    for (std::size_t k = 0; k < fit.realisation_count; ++k) {
+      const auto compared = compare_with_curve(fit.realisations[k], target);
+      ASSERT_TRUE(compared);
+      EXPECT_NEAR(compared->error.rms, fit.error.rms, 1e-6 * fit.error.rms) << name << k;
+      EXPECT_NEAR(compared->error.excursion, fit.error.excursion, 0.05 * fit.error.excursion) << name << k;
+      EXPECT_TRUE(compared->drive.in_order) << name << k;
+    }
+    EXPECT_TRUE(compare_with_curve(fit.linkage(), target)->drive.no_defects(target.closed));
+  }
+}
+
+TEST(CompareWithCurve, IsExactOfPointsOnThePath) {
+  for (std::uint64_t seed = 1; seed <= 20; ++seed) {
+    const TracingFourBar linkage = testing::drawn_linkage(seed, true);
+    CurveTarget target = testing::traced_target(linkage, true, 30);
+    std::reverse(target.points.begin(), target.points.end());
+    std::rotate(target.points.begin(), target.points.begin() + 7, target.points.end());
+    const auto compared = compare_with_curve(linkage, target);
+    ASSERT_TRUE(compared);
+    EXPECT_LT(compared->error.rms_over_diagonal, 1e-12);
+    EXPECT_TRUE(compared->drive.no_defects(true));
+    EXPECT_NEAR(compared->error.path_length_ratio, 1, 0.05);
+  }
 }
 
 TEST(CurveFit, StopsWhenAskedTo) {

@@ -129,9 +129,9 @@ struct CurveFits {
 [[nodiscard]] CurveFits fit_curve(const CurveTarget& target, const CurveFitOptions& options = {},
                                   const Progress& progress = {});
 
-/// How near the path of a linkage comes to a target, driven from the state whose point is nearest to the target's first
-/// on the circuit in which it lies: error, states and verdict as of a fit; the linkage is the first realisation.
-/// Nothing where a link has no length or the bars cannot be moved.
+/// How near the path of a linkage comes to a target, on the circuit in which it lies: error, states and verdict as of a
+/// fit; the linkage is the first realisation. To each point belongs a state, such that all come in turn and the sum of
+/// squares is least. Nothing where a link has no length or the bars cannot be moved.
 [[nodiscard]] std::optional<CurveFit> compare_with_curve(const TracingFourBar& linkage, const CurveTarget& target,
                                                          const CurveFitOptions& options = {});
 
