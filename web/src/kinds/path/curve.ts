@@ -28,17 +28,32 @@ export function comes_back(stroke: readonly Point[]): boolean {
   const farthest = Math.max(...stroke.map((point) => distance(point, first)));
   return distance(first, last) <= Math.min(near, 0.5 * farthest);
 }
-/** The end led on to the beginning: what the hand has missed is spread over the whole stroke. */
+/** The end led on to the beginning: what runs on past it is left out, and by what the end lies beside it the whole stroke is
+ *  bent, a little everywhere. */
 export function joined(stroke: readonly Point[]): Point[] {
-  const [first, last] = [stroke[0]!, stroke.at(-1)!],
-    whole = length_of(stroke) || 1;
+  const first = stroke[0]!,
+    whole = length_of(stroke) || 1,
+    [dx, dy] = direction_at_start(stroke, 0.05 * whole);
+  const ahead = ([x, y]: Point) => (x - first[0]) * dx + (y - first[1]) * dy;
+  let end = stroke.length;
+  while (end > stroke.length / 2 && ahead(stroke[end - 1]!) >= 0) --end;
+  const kept = stroke.slice(0, end),
+    [x, y] = kept.at(-1)!,
+    beside = (x - first[0]) * -dy + (y - first[1]) * dx;
   let run = 0;
-  const led = stroke.map(([x, y], i): Point => {
-    if (i > 0) run += distance(stroke[i - 1]!, [x, y]);
-    const share = run / whole - 0.5;
-    return [x + share * (first[0] - last[0]), y + share * (first[1] - last[1])];
+  const length = length_of(kept) || 1;
+  return kept.map(([x, y], i): Point => {
+    if (i > 0) run += distance(kept[i - 1]!, [x, y]);
+    const by = -(run / length - 0.5) * beside;
+    return [x - by * dy, y + by * dx];
   });
-  return led.slice(0, -1);
+}
+/** From the beginning to what lies so far on. */
+function direction_at_start(stroke: readonly Point[], reach: number): Point {
+  const first = stroke[0]!,
+    next = stroke.find((point) => distance(point, first) >= reach) ?? stroke.at(-1)!,
+    far = distance(next, first) || 1;
+  return [(next[0] - first[0]) / far, (next[1] - first[1]) / far];
 }
 
 /** Each point goes half the way to the middle of its neighbours, and from it a little more than that, so many times: what
@@ -98,8 +113,7 @@ function along(
     edges = closed ? line.length : line.length - 1;
   if (line.length < 2 || count < 2) return line.slice(0, count);
   const reached = [0];
-  for (let i = 0; i < edges; ++i)
-    reached.push(reached[i]! + cost(distance(line[i]!, line[(i + 1) % line.length]!), i));
+  for (let i = 0; i < edges; ++i) reached.push(reached[i]! + cost(distance(line[i]!, line[(i + 1) % line.length]!), i));
   const step = reached.at(-1)! / (closed ? count : count - 1);
   let edge = 0;
   return Array.from({length: count}, (_, k) => {

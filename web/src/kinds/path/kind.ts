@@ -30,24 +30,24 @@ const most_points = 10_000,
   most_rates = 4;
 const most_positions = 5, // of a path that passes near its points the drive stops at some
   usual_error = 0.02; // of its size
-/** 16 points, mm. */
+/** mm. */
 const bean_outline: readonly Point[] = [
-  [0, 62],
+  [-1, 64],
   [28, 74],
-  [62, 78],
+  [62, 77],
   [98, 70],
-  [124, 50],
-  [136, 22],
-  [130, -8],
-  [106, -24],
-  [78, -22],
-  [54, -8],
-  [28, 2],
-  [-2, 0],
-  [-28, 2],
-  [-42, 18],
-  [-38, 38],
-  [-22, 52],
+  [125, 51],
+  [135, 22],
+  [129, -8],
+  [106, -26],
+  [80, -17],
+  [54, -9],
+  [27, -3],
+  [-2, 1],
+  [-27, 5],
+  [-44, 18],
+  [-36, 37],
+  [-21, 51],
 ];
 
 function read_rate(value: unknown): PathRate | null {
@@ -82,7 +82,7 @@ function read_pivots(value: unknown): GroundPivots | null {
 function read(value: JsonObject): PathTask | null {
   const points = read_list(value.points, read_point, most_points),
     ground_pivots = read_pivots(value.given),
-    {closed, tolerance} = value;
+    {closed, tolerance, between} = value;
   if (value.kind !== "path" || value.mechanism !== "four_bar" || !points) return null;
   return {
     kind: "path",
@@ -90,6 +90,7 @@ function read(value: JsonObject): PathTask | null {
     points,
     ...(ground_pivots ? {given: {ground_pivots}} : {}),
     ...(typeof closed === "boolean" ? {closed} : {}),
+    ...(between === "free" || between === "polyline" ? {between} : {}),
     ...(is_number(tolerance) ? {tolerance} : {}),
   };
 }

@@ -35,7 +35,7 @@ export function near_task({given: _, ...task}: PathTask): PathTask {
   };
 }
 /** Without what only a path that passes near its points has. */
-export function exact_task({closed: _, tolerance: __, ...task}: PathTask): PathTask {
+export function exact_task({closed: _, tolerance: __, between: ___, ...task}: PathTask): PathTask {
   return {
     ...task,
     points: task.points.map(({tolerance: _, weight: __, ...point}) => point),

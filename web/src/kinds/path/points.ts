@@ -178,6 +178,9 @@ export function with_near_points(problem: Problem, places: readonly Point[], clo
 export function with_closed(problem: Problem, closed: boolean): Problem {
   return changed(problem, (task) => ({...task, closed}));
 }
+export function with_between(problem: Problem, polyline: boolean): Problem {
+  return changed(problem, ({between: _, ...task}) => (polyline ? {...task, between: "polyline"} : task));
+}
 export function with_tolerance(problem: Problem, tolerance: number | null): Problem {
   return changed(problem, ({tolerance: _, ...task}) => (tolerance === null ? task : {...task, tolerance}));
 }
@@ -200,7 +203,10 @@ export function with_point_number(
 export function smoothed_points(problem: Problem): Problem {
   return changed(problem, (task) => {
     const places = smoothed(task.points.map(place_of), task.closed === true);
-    return {...task, points: task.points.map((point, i) => ({...point, x: tidy(places[i]![0]), y: tidy(places[i]![1])}))};
+    return {
+      ...task,
+      points: task.points.map((point, i) => ({...point, x: tidy(places[i]![0]), y: tidy(places[i]![1])})),
+    };
   });
 }
 const tidy = (value: number) => Number(value.toPrecision(7));

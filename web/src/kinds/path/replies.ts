@@ -4,6 +4,9 @@ import type {FourBar} from "../../contract/result";
 import type {CarriedPoint} from "../../figure/tracing";
 
 declare module "../../contract/messages" {
+  interface Properties {
+    path_error: number; // of paths near points: root mean square of their distances from it, user's unit
+  }
   interface Linkage {
     path?: FollowedPath | null; // of such tasks only; null: there is none
   }

@@ -33,6 +33,8 @@ export interface PathTask extends Task {
   closed?: boolean;
   /** Likewise: how far off at points without their own. */
   tolerance?: number;
+  /** Likewise: between its points it keeps to the polygon through them. */
+  between?: "free" | "polyline";
 }
 
 export function is_path(task: Task): task is PathTask {
@@ -87,10 +89,11 @@ export function is_near(task: PathTask): boolean {
   return given_sides(task).length === 0 && angle_key(task) === null && position_count(task.points) > most_exact;
 }
 /** It is near however many points there are. */
-export function asks_for_near({closed, tolerance, points}: PathTask): boolean {
+export function asks_for_near({closed, tolerance, between, points}: PathTask): boolean {
   return (
     closed === true ||
     tolerance !== undefined ||
+    between === "polyline" ||
     points.some((point) => point.tolerance !== undefined || point.weight !== undefined)
   );
 }
