@@ -81,12 +81,6 @@ TEST(CurveFit, IsTheSameWhateverTheThreadsAndTheInstructionSet) {
     EXPECT_EQ(farthest_pivot(first.fits[k].linkage().bars, second.fits[k].linkage().bars), 0);
 }
 
-<<<<<<< HEAD
-TEST(CompareWithCurve, SaysOfAFitWhatTheFitSays) {
-  for (const char* const name : {"yu1", "mkh3", "wu3_open"}) {
-    const CurveTarget target = testing::curve_case(name).target;
-    const CurveFits found = fit_curve(target, {.effort = FitEffort::quick});
-=======
 CurveTarget transformed(CurveTarget target, Point turn, Point shift) {
   for (Point& p : target.points) p = turn * p + shift;
   return target;
@@ -165,7 +159,6 @@ TEST(CompareWithCurve, SaysOfAFitWhatTheFitSays) {
   for (const char* const name : {"yu1", "mkh3", "wu3_open"}) {
     const CurveTarget target = testing::curve_case(name).target;
     const CurveFits found = fit_curve(target, quick);
->>>>>>> approximate
     ASSERT_FALSE(found.fits.empty());
     const CurveFit& fit = found.fits.front();
     for (std::size_t k = 0; k < fit.realisation_count; ++k) {
