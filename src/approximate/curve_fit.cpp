@@ -6,7 +6,7 @@
 
 #include "approximate/curve_search.hpp"
 #include "approximate/fit_result.hpp"
-#include "approximate/limit_refit.hpp"
+#include "approximate/start_list.hpp"
 #include "linkwright/core/parallel.hpp"
 
 namespace linkwright {

@@ -28,7 +28,4 @@ struct CurveSearch {
 [[nodiscard]] CurveSearch search_curves(const ScaledTarget& target, const FitLimits& limits,
                                         const CurveFitOptions& options, const Progress& progress);
 
-/// The same curve, by its three ground pivots.
-[[nodiscard]] bool same_curve(const CouplerLinkage& a, const CouplerLinkage& b);
-
 }  // namespace linkwright

@@ -23,7 +23,8 @@ class DyadList {
  public:
   DyadList(const ScaledTarget& target, std::span<const Point> chosen, Point pivot)
       : closed_(target.closed), distances_(chosen.size()) {
-    std::transform(chosen.begin(), chosen.end(), distances_.begin(), [&](Point p) { return std::abs(p - pivot); });
+    std::transform(chosen.begin(), chosen.end(), distances_.begin(),
+                   [&](Point p) { return std::sqrt(std::norm(p - pivot)); });
     const auto nearer = [&](Point a, Point b) { return std::norm(a - pivot) < std::norm(b - pivot); };
     const auto [near, far] = std::minmax_element(target.points.begin(), target.points.end(), nearer);
     least_ = std::abs(*near - pivot);

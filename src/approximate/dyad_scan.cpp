@@ -6,6 +6,7 @@
 #include <optional>
 
 #include "approximate/dyad_scan_kernel.hpp"
+#include "approximate/pair_rating.hpp"
 #include "approximate/real_cubic.hpp"
 
 namespace linkwright {
@@ -37,105 +38,24 @@ std::optional<CouplerLinkage> dyad_of(Point pivot, double input, double arm, con
   const double size = std::norm(v.omega) * input * input;
   const double scale = triple_product(v.gamma, v.zeta, v.omega).real() / size;
   const Point z = v.zeta / (scale * input), center = -v.gamma / (scale * input);
-  const double h = std::abs(z);
+  const double h = std::sqrt(std::norm(z));
   if (!is_finite(z) || !is_finite(center) || !(h > 0)) return std::nullopt;
   return CouplerLinkage{pivot, pivot + center, input, h, 0, arm / h * std::conj(z)};
 }
-
-// Directions of input and of its moving pivot to the point, by the law of cosines.
-LoopState driven_state(Point to_point, double input, double arm, bool right) {
-  const double d = std::abs(to_point), excess = (input - arm) * (input + arm);
-  const double at_pivot = std::clamp((d * d + excess) / (2 * d * input), -1.0, 1.0);
-  const double at_point = std::clamp((d * d - excess) / (2 * d * arm), -1.0, 1.0);
-  const double up = (right ? -1 : 1) * std::sqrt(1 - at_pivot * at_pivot);
-  return {product(to_point / d, {at_pivot, up}), product(to_point / d, {at_point, -input / arm * up})};
-}
-
-std::vector<LoopState> driven_states(Point pivot, double input, double arm, std::uint32_t right,
-                                     std::span<const Point> chosen) {
-  std::vector<LoopState> states;
-  for (std::size_t j = 0; j < chosen.size(); ++j)
-    states.push_back(driven_state(chosen[j] - pivot, input, arm, (right >> j & 1) != 0));
-  return states;
-}
-
-// The output's length, the distance across the curve and a driver, of a second dyad at the poses of the first.
-class PairRating {
- public:
-  PairRating(std::span<const LoopState> driven, std::span<const double> weights, bool closed)
-      : driven_(driven), weights_(weights), closed_(closed) {}
-
-  void rate(DyadPair& pair) {
-    CouplerLinkage& linkage = pair.linkage;
-    const Point turn = std::conj(linkage.p) / std::abs(linkage.p);
-    double square = 0, weights = 0;
-    states_.clear();
-    for (std::size_t j = 0; j < driven_.size(); ++j) {
-      states_.push_back({driven_[j].e, product(driven_[j].u, turn)});
-      square += weights_[j] * std::norm(LoopGradient(linkage, states_[j]).g);
-      weights += weights_[j];
-    }
-    linkage.b = std::sqrt(square / weights);
-    pair.score = std::sqrt(square_across(linkage) / weights);
-    pair.driver = driver_of(linkage);
-  }
-
- private:
-  // The gap of the loop by the sine between the velocities that input and coupler give the point: no root is needed.
-  [[nodiscard]] double square_across(const CouplerLinkage& linkage) const {
-    double sum = 0;
-    for (std::size_t j = 0; j < states_.size(); ++j) {
-      const LoopGradient loop(linkage, states_[j]);
-      const Point by_e = linkage.a * quarter_turn(states_[j].e);
-      const Point by_u = quarter_turn(product(linkage.p, states_[j].u));
-      const double across = loop.f * cross(by_e, by_u);
-      sum += weights_[j] * across * across / (std::norm(loop.f_e * by_u - loop.f_u * by_e) + 1e-12 * loop.square());
-    }
-    return sum;
-  }
-
-  [[nodiscard]] char driver_of(const CouplerLinkage& linkage) const {
-    const auto e = [&](std::size_t j) { return states_[j].e; };
-    const auto u = [&](std::size_t j) { return states_[j].u; };
-    const auto g = [&](std::size_t j) { return LoopGradient(linkage, states_[j]).g / linkage.b; };
-    if (drives(e, u, g)) return 'e';
-    if (drives(u, e, g)) return 'u';
-    return drives(g, e, u) ? 'g' : 0;
-  }
-
-  // Turns one way, but for what an error of the points may turn it back, and the two others never are in line.
-  template <class Driver, class One, class Other>
-  [[nodiscard]] bool drives(const Driver& driver, const One& one, const Other& other) const {
-    constexpr double slack = 0.05;  // radians
-    double turned[2] = {0, 0};
-    const std::size_t n = states_.size();
-    const bool side = cross(one(0), other(0)) > 0;
-    for (std::size_t j = 0; j < n; ++j) {
-      if ((cross(one(j), other(j)) > 0) != side) return false;
-      if (j + 1 == n && !closed_) break;
-      const double sine = cross(driver(j), driver((j + 1) % n));
-      turned[sine > 0] += std::abs(sine);
-    }
-    return std::min(turned[0], turned[1]) <= slack;
-  }
-
-  std::span<const LoopState> driven_;
-  std::span<const double> weights_;
-  bool closed_;
-  std::vector<LoopState> states_;
-};
 
 // The best of a pattern.
 struct PatternBest {
   double value = infinite;  ///< least eigenvalue
   std::optional<DyadPair> any, clean, compact;
 
-  void offer(const DyadPair& pair) {
-    const auto keep_better = [&pair](std::optional<DyadPair>& best) {
-      if (!best || pair.score < best->score) best = pair;
-    };
-    keep_better(any);
-    if (pair.driver != 0) keep_better(is_compact(pair.linkage) ? compact : clean);
+  // A pair that is scored; whether it has a driver takes as long, and is asked where it matters.
+  void offer(DyadPair& pair, const PairRating& rating) {
+    std::optional<DyadPair>& driven = is_compact(pair.linkage) ? compact : clean;
+    const auto better_than = [&pair](const std::optional<DyadPair>& best) { return !best || pair.score < best->score; };
+    if (!better_than(any) && !better_than(driven)) return;
+    pair.driver = rating.driver(pair.linkage);
+    if (better_than(any)) any = pair;
+    if (pair.driver != 0 && better_than(driven)) driven = pair;
   }
 };
 
@@ -143,7 +63,12 @@ class PivotScan {
  public:
   PivotScan(const ScaledTarget& target, std::span<const Point> chosen, std::span<const double> weights, Point pivot,
             double max_length)
-      : target_(target), chosen_(chosen), weights_(weights), pivot_(pivot), max_length_(max_length) {}
+      : target_(target),
+        chosen_(chosen),
+        weights_(weights),
+        pivot_(pivot),
+        max_length_(max_length),
+        rating_(chosen, weights, pivot, target.closed) {}
 
   std::vector<DyadPair> best(Simd simd) {
     if (!fill_block()) return {};
@@ -169,11 +94,10 @@ class PivotScan {
     block_.count = static_cast<int>(dyads_.size());
     block_.points = static_cast<int>(chosen_.size());
     for (std::size_t j = 0; j < chosen_.size(); ++j) {
-      const Point to = chosen_[j] - pivot_;
-      block_.distance[j] = std::abs(to);
+      block_.distance[j] = rating_.distance(j);
       if (block_.distance[j] < nearest) return false;
-      block_.direction[j][0] = to.real() / block_.distance[j];
-      block_.direction[j][1] = to.imag() / block_.distance[j];
+      block_.direction[j][0] = rating_.direction(j).real();
+      block_.direction[j][1] = rating_.direction(j).imag();
       block_.weight[j] = weights_[j];
     }
     for (std::size_t k = 0; k < DyadBlock::size; ++k) {
@@ -192,12 +116,11 @@ class PivotScan {
     const DrivingDyad& dyad = dyads_[k];
     const SecondDyads seconds = second_dyads(pivot_, dyad.input, dyad.arm, vectors);
     if (seconds.count == 0) return;
-    const auto driven = driven_states(pivot_, dyad.input, dyad.arm, dyad.right, chosen_);
-    PairRating rating(driven, weights_, target_.closed);
+    rating_.drive(dyad.input, dyad.arm, dyad.right);
     for (std::size_t c = 0; c < seconds.count; ++c) {
       DyadPair pair{seconds.linkages[c], dyad.right};
-      rating.rate(pair);
-      if (std::isfinite(pair.score) && is_built(pair.linkage)) best_of(k).offer(pair);
+      rating_.score(pair);
+      if (std::isfinite(pair.score) && is_built(pair.linkage)) best_of(k).offer(pair, rating_);
     }
   }
 
@@ -222,6 +145,7 @@ class PivotScan {
   std::span<const double> weights_;
   Point pivot_;
   double max_length_;
+  PairRating rating_;
   std::vector<DrivingDyad> dyads_;
   DyadBlock block_{};
   std::array<PatternBest, elbow_pattern_count> best_;
@@ -232,8 +156,11 @@ class PivotScan {
 std::vector<LoopState> states_of(const DyadPair& pair, std::span<const Point> chosen) {
   const CouplerLinkage& linkage = pair.linkage;
   const double arm = std::abs(linkage.p);
-  auto states = driven_states(linkage.a0, linkage.a, arm, pair.right, chosen);
-  for (LoopState& state : states) state.u = product(state.u, std::conj(linkage.p) / arm);
+  PairRating rating(chosen, {}, linkage.a0, false);
+  rating.drive(linkage.a, arm, pair.right);
+  std::vector<LoopState> states;
+  for (std::size_t j = 0; j < chosen.size(); ++j)
+    states.push_back({rating.driven(j).e, product(rating.driven(j).u, std::conj(linkage.p) / arm)});
   return states;
 }
 

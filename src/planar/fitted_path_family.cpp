@@ -54,9 +54,11 @@ double looseness(const TracingFourBar& linkage, Point turn, Point there) {
 Point coupler_turn(const TracingFourBar& linkage, const FourBar& first, const FitState& state) {
   const FourBar& now = state.bars;
   const std::array<Point, 3> turns = {
-      unit_towards(now.input_moving, now.output_moving) * std::conj(unit_towards(first.input_moving, first.output_moving)),
+      unit_towards(now.input_moving, now.output_moving) *
+          std::conj(unit_towards(first.input_moving, first.output_moving)),
       unit_towards(now.input_fixed, now.input_moving) * std::conj(unit_towards(first.input_fixed, first.input_moving)),
-      unit_towards(now.output_fixed, now.output_moving) * std::conj(unit_towards(first.output_fixed, first.output_moving))};
+      unit_towards(now.output_fixed, now.output_moving) *
+          std::conj(unit_towards(first.output_fixed, first.output_moving))};
   return *std::min_element(turns.begin(), turns.end(), [&](Point a, Point b) {
     return looseness(linkage, a, state.point) < looseness(linkage, b, state.point);
   });
@@ -117,6 +119,7 @@ LinkageFamily::CellAt FittedPathFamily::cells(bool respect_direction) const {
     const auto traced = traced_at(place);
     if (!cell || !traced) return cell;
     cell->values[planar_measures.size()] = error_of(traced->fit).rms;
+    if (near_.target.closed) cell->values[0] = cell->values[1];  // it is run all along
     if (near_.target.closed && !input_is_crank(cell->type)) cell->defects.bits |= Defects::branch_bit;
     return cell;
   };
@@ -228,7 +231,8 @@ CurveFitOptions fit_options(const NearestTarget& near, const Requirements& requi
   fit.min_length = (1 + inside) * *requirements.min_length / diagonal;
   fit.max_link_ratio = (1 - inside) * requirements.max_link_ratio;
   fit.grashof_margin = wishes.grashof_margin;
-  if (requirements.min_transmission_angle > 0) fit.min_transmission_angle = requirements.min_transmission_angle + inside;
+  if (requirements.min_transmission_angle > 0)
+    fit.min_transmission_angle = requirements.min_transmission_angle + inside;
   if (requirements.ground_pivots_within) fit.windows.ground = *requirements.ground_pivots_within;
   if (requirements.moving_pivots_within) fit.windows.moving = *requirements.moving_pivots_within;
   fit.threads = options.threads;
@@ -263,11 +267,12 @@ std::optional<Notice> about_straying(const FittedPathFamily& family, const Neare
   const auto path = family.fitted_at({0.5, 0.5});
   if (!path || path->error.excursion <= std::max(of_error * path->error.max, of_diagonal * near.target.diagonal()))
     return std::nullopt;
-  return Notice{"path_strays",
-                fmt::format("Between the points the nearest path strays {:.4g} from the polygon through them; give more "
-                            "points there, or \"between\": \"polyline\".",
-                            path->error.excursion),
-                {{"excursion", path->error.excursion}}};
+  return Notice{
+      "path_strays",
+      fmt::format("Between the points the nearest path strays {:.4g} from the polygon through them; give more "
+                  "points there, or \"between\": \"polyline\".",
+                  path->error.excursion),
+      {{"excursion", path->error.excursion}}};
 }
 
 std::optional<Notice> about_exact(const NearestTarget& near) {

@@ -66,12 +66,12 @@ void check_count(const PathTask& task, std::vector<Error>& found) {
       different.push_back(point);
   }
   if (different.size() < fewest)
-    found.push_back({"too_few_near_points",
-                     "task.points",
-                     fmt::format("{} different point{} {} given, and a path is fitted to three or more; add points",
-                                 different.size(), different.size() == 1 ? "" : "s",
-                                 different.size() == 1 ? "was" : "were"),
-                     {{"count", static_cast<double>(different.size())}}});
+    found.push_back(
+        {"too_few_near_points",
+         "task.points",
+         fmt::format("{} different point{} {} given, and a path is fitted to three or more; add points",
+                     different.size(), different.size() == 1 ? "" : "s", different.size() == 1 ? "was" : "were"),
+         {{"count", static_cast<double>(different.size())}}});
   if (task.points.size() > PathTask::most_points)
     found.push_back(
         {"too_many_near_points",

@@ -42,6 +42,10 @@ std::vector<Error> mistakes_in(const SynthesisOptions& options) {
                      fmt::format("the number of chains or arms to try lies between 1 and {}; {} is usual",
                                  SynthesisOptions::max_effort, SynthesisOptions{}.effort),
                      {{"most", SynthesisOptions::max_effort}, {"usual", SynthesisOptions{}.effort}}});
+  if (const auto& margin = options.fit.grashof_margin; margin && !(*margin >= 0 && *margin < 1))
+    found.push_back({"grashof_margin_range", "options.fit.grashof_margin",
+                     "a Grashof margin is a share of the diagonal, from 0 to below 1; 0.003 is usual, null allows any "
+                     "linkage"});
   const auto check_length = [&](const std::optional<double>& length, const char* place) {
     if (length && !(*length > 0 && std::isfinite(*length)))
       found.push_back({"length_of_line", place, "a length greater than 0 belongs here, or null"});

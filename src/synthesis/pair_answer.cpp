@@ -9,6 +9,7 @@
 #include "analyses/analyses.hpp"
 #include "function/generator_search.hpp"
 #include "linkage_search.hpp"
+#include "linkwright/core/angle.hpp"
 #include "linkwright/core/count_text.hpp"
 #include "linkwright/core/tolerance.hpp"
 #include "linkwright/region/cell_judge.hpp"
@@ -295,6 +296,13 @@ Progress part_of(const Progress& progress, double from, double to) {
   return {[&progress, from, to](double done) { progress(from + (to - from) * done); }, progress.cancelled};
 }
 
+// A closed path is run all along.
+void go_all_round(DefectReport& report) {
+  if (!report.defects.none()) return;
+  report.min_transmission_angle = report.min_transmission_angle_full_turn;
+  report.sweep = two_pi;
+}
+
 }  // namespace
 
 std::optional<FourBarSolution> linkage_at(const FourBarAnswer& answer, MapPoint place, bool verify) {
@@ -309,6 +317,7 @@ std::optional<FourBarSolution> linkage_at(const PathAnswer& answer, MapPoint pla
   found->path = timed_path(found->four_bar, crank_poses);
   found->path->elbows = family.elbows_at(there);
   found->fit = family.fitted_at(there);
+  if (found->fit && answer.task.closed) go_all_round(found->report);
   if (!family.is_timed()) found->path->cognate.reset();
   found->residual_derivatives = family.rate_residual(there);
   if (verify) drive_path(*found, family, crank_poses);

@@ -11,6 +11,8 @@
 namespace linkwright::curve_fit_test {
 namespace {
 
+const CurveFitOptions quick{.effort = FitEffort::quick};
+
 double distance_to_path(Point p, const std::vector<MotionState>& path) {
   double least = std::abs(p - path.front().coupler_point);
   for (std::size_t k = 1; k < path.size(); ++k) {
@@ -50,7 +52,7 @@ TEST(CurveFit, FindsExactClosedCurvesAgain) {
   constexpr int draws = 30;
   for (int seed = 0; seed < draws; ++seed) {
     const CurveTarget target = testing::traced_target(testing::drawn_linkage(seed + 1, true), true, 48);
-    const CurveFits found = fit_curve(target);
+    const CurveFits found = fit_curve(target, quick);
     if (!found.fits.empty() && found.fits.front().error.rms_over_diagonal < 1e-9) ++exact;
   }
   EXPECT_GE(exact, draws - 1);
@@ -79,10 +81,84 @@ TEST(CurveFit, IsTheSameWhateverTheThreadsAndTheInstructionSet) {
     EXPECT_EQ(farthest_pivot(first.fits[k].linkage().bars, second.fits[k].linkage().bars), 0);
 }
 
+CurveTarget transformed(CurveTarget target, Point turn, Point shift) {
+  for (Point& p : target.points) p = turn * p + shift;
+  return target;
+}
+
+TEST(CurveFit, DoesNotDependOnTheFrameOrTheUnit) {
+  for (const char* const name : {"mkh2", "gait13", "wu3_open"}) {
+    const CurveTarget target = testing::curve_case(name).target;
+    const double error = fit_curve(target, quick).fits.front().error.rms_over_diagonal;
+    for (const double scale : {1e-6, 1.0, 1e6}) {
+      const CurveTarget other = transformed(target, std::polar(scale, 0.7), {3 * scale, -5 * scale});
+      const CurveFits found = fit_curve(other, quick);
+      ASSERT_FALSE(found.fits.empty());
+      const double size = other.diagonal() / (scale * target.diagonal());  // the box turns, too
+      EXPECT_NEAR(found.fits.front().error.rms_over_diagonal * size, error, 0.01 * error) << name << scale;
+    }
+  }
+}
+
+TEST(CurveFit, DoesNotDependOnTheSenseOrTheFirstPoint) {
+  for (const char* const name : {"mkh2", "yu1", "tri24"}) {
+    CurveTarget target = testing::curve_case(name).target;
+    const double error = fit_curve(target, quick).fits.front().error.rms;
+    std::reverse(target.points.begin(), target.points.end());
+    EXPECT_NEAR(fit_curve(target, quick).fits.front().error.rms, error, 1e-4 * error) << name;
+    std::rotate(target.points.begin(), target.points.begin() + 5, target.points.end());
+    EXPECT_NEAR(fit_curve(target, quick).fits.front().error.rms, error, 1e-4 * error) << name;
+  }
+}
+
+TEST(CurveFit, ComesNearToPartsOfCurves) {
+  for (std::uint64_t seed = 1; seed <= 8; ++seed) {
+    const CurveTarget target = testing::traced_target(testing::drawn_linkage(seed, true), false, 48, 1.8);
+    const CurveFits found = fit_curve(target, quick);
+    ASSERT_FALSE(found.fits.empty()) << seed;
+    EXPECT_LT(found.fits.front().error.rms_over_diagonal, 1e-5) << seed;
+  }
+}
+
+TEST(CurveFit, AWeightOfZeroLeavesAPointOut) {
+  CurveTarget target = testing::curve_case("mkh2").target;
+  const double error = fit_curve(target).fits.front().error.sum_of_squares;
+  target.weights.assign(target.points.size(), 3);
+  EXPECT_NEAR(fit_curve(target).fits.front().error.sum_of_squares, 3 * error, 1e-4 * error);
+  target.points.insert(target.points.begin() + 4, 0.5 * (target.points[3] + target.points[4]) + Point{0.1, -0.1});
+  target.weights.insert(target.weights.begin() + 4, 0);
+  const CurveFits found = fit_curve(target);
+  ASSERT_FALSE(found.fits.empty());
+  EXPECT_NEAR(found.fits.front().error.sum_of_squares, 3 * error, 1e-3 * error);
+  EXPECT_NE(found.fits.front().error.max_at, 4);
+}
+
+// Nothing is asked of these but an answer without NaN.
+TEST(CurveFit, AnswersStrangeTargets) {
+  CurveTarget circle, line, doubled, three, zigzag;
+  for (int k = 0; k < 20; ++k) circle.points.push_back(direction(k * 0.1 * 3.14159265));
+  circle.closed = true;
+  for (int k = 0; k < 15; ++k) line.points.emplace_back(k, 2 * k);
+  for (int k = 0; k < 24; ++k) doubled.points.emplace_back(k / 2, (k / 2) % 3);
+  three.points = {{0, 0}, {1, 0}, {0, 1}};
+  for (int k = 0; k < 40; ++k) zigzag.points.emplace_back(k, k % 2 == 0 ? 0 : 30);
+  for (CurveTarget target : {circle, line, doubled, three, zigzag}) {
+    for (const bool closed : {false, true}) {
+      target.closed = closed;
+      const CurveFits found = fit_curve(target, quick);
+      for (const CurveFit& fit : found.fits) {
+        EXPECT_TRUE(std::isfinite(fit.error.sum_of_squares) && std::isfinite(fit.error.excursion));
+        EXPECT_TRUE(is_finite(fit.linkage().point) && std::isfinite(fit.linkage().longest()));
+        EXPECT_TRUE(fit.drive.no_defects(closed));
+      }
+    }
+  }
+}
+
 TEST(CompareWithCurve, SaysOfAFitWhatTheFitSays) {
   for (const char* const name : {"yu1", "mkh3", "wu3_open"}) {
     const CurveTarget target = testing::curve_case(name).target;
-    const CurveFits found = fit_curve(target, {.effort = FitEffort::quick});
+    const CurveFits found = fit_curve(target, quick);
     ASSERT_FALSE(found.fits.empty());
     const CurveFit& fit = found.fits.front();
     for (std::size_t k = 0; k < fit.realisation_count; ++k) {

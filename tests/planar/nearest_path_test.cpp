@@ -67,8 +67,8 @@ TEST(NearestPath, TellsWhatDoesNotGoWithIt) {
 
 TEST(NearestPath, TellsTolerancesAndWeightsOutOfRange) {
   PathTask task = hexagon();
-  for (const double wrong : {0.0, -1.0, std::numeric_limits<double>::quiet_NaN(),
-                             std::numeric_limits<double>::infinity()}) {
+  for (const double wrong :
+       {0.0, -1.0, std::numeric_limits<double>::quiet_NaN(), std::numeric_limits<double>::infinity()}) {
     task = hexagon();
     task.tolerance = wrong;
     EXPECT_EQ(codes(task), "path_tolerance@task.tolerance");

@@ -92,9 +92,8 @@ TEST(NearestPathAnswer, TellsTheDistancesThatTurningTheCrankShows) {
     EXPECT_NEAR(found.fit->error.max, largest, 1e-4);
     EXPECT_LT(found.fit->error.rms_over_diagonal, 0.05);
   }
-  EXPECT_TRUE(std::is_sorted(answer.linkages.begin(), answer.linkages.end(), [](const auto& a, const auto& b) {
-    return a.fit->error.rms < b.fit->error.rms - 1e-9;
-  }));
+  EXPECT_TRUE(std::is_sorted(answer.linkages.begin(), answer.linkages.end(),
+                             [](const auto& a, const auto& b) { return a.fit->error.rms < b.fit->error.rms - 1e-9; }));
 }
 
 TEST(NearestPathAnswer, StandsAtEachPointWhereItIsSaidTo) {

@@ -86,10 +86,10 @@ struct PathTask {
   std::vector<PathPoint> points;
   GroundPivots pivots;
   std::optional<Box> box;  ///< of five plain positions: where the input's ground pivot is searched for, user's unit
-  // Of paths that pass near points; one of them, or a tolerance or a weight of a point, asks for these, and so do more than
-  // five points without angles.
-  bool closed = false;              ///< from the last point on to the first, by an input that turns fully
-  std::optional<double> tolerance;  ///< of all points without their own, user's unit, > 0
+  // Of paths that pass near points; one of them, or a tolerance or a weight of a point, asks for these, and so do more
+  // than five points without angles.
+  bool closed = false;                 ///< from the last point on to the first, by an input that turns fully
+  std::optional<double> tolerance;     ///< of all points without their own, user's unit, > 0
   std::optional<PathBetween> between;  ///< nothing: free
 
   [[nodiscard]] const LinkageClass& linkage_class() const {

@@ -25,7 +25,7 @@ std::string_view region_heading(const LinkageFamily* family) {
   if (is_board(family))
     return is_ribbon(family) || family->axis(Side::output).quantity == AxisQuantity::realisation
                ? "Solution region: every cell is one four-bar"
-                             : "Solution region: every cell is a pair of dyads";
+               : "Solution region: every cell is a pair of dyads";
   return is_ribbon(family) ? "Solution region: every value is one four-bar"
                            : "Solution region: every point is one four-bar";
 }
