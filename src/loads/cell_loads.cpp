@@ -328,18 +328,13 @@ static std::optional<HandUnder> hand_under(double f1, const TravelledPlaces& on,
 static StrengthLines lines_of(const std::vector<double>& forces, const std::vector<double>& weakest,
                               const std::vector<double>& strongest, double share) {
   StrengthLines lines;
-  for (std::size_t i = 0; i < forces.size(); ++i) {
-    const double rise = strongest[i] - weakest[i], from = forces[i] - share * rise;
-    lines.add(from, from + rise);
-  }
+  for (std::size_t i = 0; i < forces.size(); ++i) lines.add(forces[i], share, {weakest[i], strongest[i]});
   return lines;
 }
 
 /// F1 with which the largest force of the hand at the stations of a map is least; the friction of pins, which goes by
 /// it, is that under the answer.
 static std::optional<double> best_f1(const TravelledPlaces& on, const Loads& loads, const Pose& body) {
-  constexpr int most_turns = 40;
-  constexpr double agreed = 1e-9;
   const FreeStrength& free = *std::get<GasSpring>(loads.springs[*free_spring(loads)].law).free;
   const StrengthRange range = strengths_of(free);
   Loads smooth = loads;
@@ -349,11 +344,11 @@ static std::optional<double> best_f1(const TravelledPlaces& on, const Loads& loa
   if (!weakest || !strongest) return std::nullopt;
   HandUnder now = *weakest;
   double share = 0;
-  for (int turn = 0; turn < most_turns; ++turn) {
+  for (int turn = 0; turn < most_strengths; ++turn) {
     const auto next = best_share(lines_of(now.hand, weakest->hand, strongest->hand, share),
                                  lines_of(now.last, weakest->last, strongest->last, share), free.min_hold_open);
     if (!next) return std::nullopt;
-    if (!loads.pins || (turn > 0 && std::abs(*next - share) <= agreed)) return range.f1(*next);
+    if (!loads.pins || (turn > 0 && std::abs(*next - share) <= agreed_strength)) return range.f1(*next);
     share = *next;
     const auto under = hand_under(range.f1(share), on, loads, body);
     if (!under) return std::nullopt;

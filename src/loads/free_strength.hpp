@@ -20,19 +20,26 @@ struct StrengthRange {
 /// The loads with a strength of the spring that leaves it free, which is then as any other.
 [[nodiscard]] Loads with_f1(Loads loads, double f1);
 
+/// A force under the weakest and under the strongest spring, without the friction of pins.
+struct SmoothForce {
+  double weakest = 0, strongest = 0;
+};
+
 /// Forces under the weakest spring, and what the strongest adds to them, number by number.
 struct StrengthLines {
   std::vector<double> weakest, rise;
 
-  void add(double under_weakest, double under_strongest) {
-    weakest.push_back(under_weakest);
-    rise.push_back(under_strongest - under_weakest);
-  }
-  void clear() {
-    weakest.clear();
-    rise.clear();
+  /// Through the force under a share of the range; friction of pins is taken to be what it is there.
+  void add(double force, double share, const SmoothForce& smooth) {
+    rise.push_back(smooth.strongest - smooth.weakest);
+    weakest.push_back(force - share * rise.back());
   }
 };
+
+/// Friction of pins goes by the strength: so often the best one is looked for with that under the one before, until both
+/// agree to so much of the range.
+inline constexpr int most_strengths = 40;
+inline constexpr double agreed_strength = 1e-9;
 
 /// The share of the range at which the largest of the forces of the hand is least, and none of those that open the last
 /// position is above −`hold_open`; nothing where there is none. Infinite or undefined forces: nothing.

@@ -248,48 +248,72 @@ class RowsOfLoads {
     }
   }
 
-  /// The hand's forces in the cells of a row under one strength of the free spring.
+  /// The hand's forces in the cells of a row, each under a strength of the free spring.
   struct UnderStrength {
     std::vector<double> forces;  ///< LoadRow::hand_forces
     std::vector<float> largest;  ///< infinite where there are none
   };
-  [[nodiscard]] UnderStrength under(double share, std::size_t at, LoadRow row,
+  [[nodiscard]] UnderStrength under(const std::vector<double>& shares, std::size_t at, LoadRow row,
                                     const std::vector<signed char>& senses) const {
-    const std::vector<double> shares(senses.size(), share);
-    const auto of_cell = static_cast<std::size_t>((*tables_).loads->cases) * 2 * static_cast<std::size_t>(row.stations);
-    UnderStrength found{std::vector<double>(map_.columns() * of_cell), std::vector<float>(map_.columns())};
+    UnderStrength found{std::vector<double>(map_.columns() * of_cell(row)), std::vector<float>(map_.columns())};
     std::fill(std::begin(row.counted), std::end(row.counted), 0U);
     row.counted[LoadRow::hand] = strength_->hand | strength_->last;
     row.unit[LoadRow::hand] = 1;
     row.value[LoadRow::hand] = found.largest.data();
     row.hand_forces = found.forces.data();
     row.shares = shares.data();
+    row.senses = senses.data();
     run(at, row, senses);
     return found;
   }
+  [[nodiscard]] std::size_t of_cell(const LoadRow& row) const {
+    return static_cast<std::size_t>((*tables_).loads->cases) * 2 * static_cast<std::size_t>(row.stations);
+  }
+
   /// As CellLoads has them, of columns; not a number where there is none.
   [[nodiscard]] std::vector<double> best_shares(std::size_t at, const LoadRow& row,
-                                                const std::vector<signed char>& senses) const {
-    const UnderStrength weakest = under(0, at, row, senses), strongest = under(1, at, row, senses);
-    std::vector<double> shares(senses.size(), std::numeric_limits<double>::quiet_NaN());
-    const auto stations = static_cast<std::size_t>(row.stations);
-    const auto cases = static_cast<std::size_t>((*tables_).loads->cases);
-    StrengthLines hand, last;
-    for (std::size_t column = 0; column < map_.columns(); ++column) {
-      if (senses[column] == 0) continue;
-      if (!std::isfinite(weakest.largest[column]) || !std::isfinite(strongest.largest[column])) continue;
-      hand.clear();
-      last.clear();
-      for (std::size_t c = 0; c < cases; ++c) {
-        const std::size_t first = (column * cases + c) * 2 * stations;
-        const auto add = [&](StrengthLines& to, std::size_t k) { to.add(weakest.forces[k], strongest.forces[k]); };
-        if (strength_->hand >> c & 1U)
-          for (std::size_t k = first; k < first + 2 * stations; ++k) add(hand, k);
-        if (strength_->last >> c & 1U) add(last, first + stations - 1);
+                                                std::vector<signed char> senses) const {
+    constexpr double none = std::numeric_limits<double>::quiet_NaN();
+    LoadRow smooth = row;
+    smooth.friction_circle = 0;
+    std::vector<double> shares(senses.size(), 0.0);
+    const UnderStrength weakest = under(shares, at, smooth, senses);
+    const UnderStrength strongest = under(std::vector<double>(senses.size(), 1.0), at, smooth, senses);
+    UnderStrength now = weakest;
+    for (int turn = 0; turn < most_strengths; ++turn) {
+      for (std::size_t column = 0; column < map_.columns(); ++column) {
+        if (senses[column] == 0) continue;
+        const double before = shares[column];
+        shares[column] = next_share(column, before, {&weakest, &strongest, &now}, row).value_or(none);
+        const bool agrees = turn > 0 && std::abs(shares[column] - before) <= agreed_strength;
+        if (std::isnan(shares[column]) || !(row.friction_circle > 0) || agrees) senses[column] = 0;
       }
-      if (const auto share = best_share(hand, last, strength_->free.min_hold_open)) shares[column] = *share;
+      if (std::all_of(senses.begin(), senses.end(), [](signed char sense) { return sense == 0; })) return shares;
+      now = under(shares, at, row, senses);
     }
+    for (std::size_t column = 0; column < map_.columns(); ++column)
+      if (senses[column] != 0) shares[column] = none;
     return shares;
+  }
+  struct Strengths {
+    const UnderStrength *weakest, *strongest, *now;
+  };
+  [[nodiscard]] std::optional<double> next_share(std::size_t column, double share, const Strengths& known,
+                                                 const LoadRow& row) const {
+    for (const UnderStrength* under : {known.weakest, known.strongest, known.now})
+      if (!std::isfinite(under->largest[column])) return std::nullopt;
+    const auto stations = static_cast<std::size_t>(row.stations);
+    StrengthLines hand, last;
+    for (std::size_t c = 0; c < of_cell(row) / (2 * stations); ++c) {
+      const std::size_t first = column * of_cell(row) + c * 2 * stations;
+      const auto add = [&](StrengthLines& to, std::size_t k) {
+        to.add(known.now->forces[k], share, {known.weakest->forces[k], known.strongest->forces[k]});
+      };
+      if (strength_->hand >> c & 1U)
+        for (std::size_t k = first; k < first + 2 * stations; ++k) add(hand, k);
+      if (strength_->last >> c & 1U) add(last, first + stations - 1);
+    }
+    return best_share(hand, last, strength_->free.min_hold_open);
   }
   void tell_strength(const std::vector<signed char>& senses, const std::vector<double>& shares,
                      std::span<float> values) const {
@@ -344,10 +368,8 @@ bool fits_lanes(const Loads& loads, std::size_t positions) {
   });
   const bool is_slow =
       std::all_of(loads.cases.begin(), loads.cases.end(), [](const LoadCase& of) { return of.gas_exponent == 1; });
-  // What pins lose goes by the strength of the spring, and that by what they lose.
-  const bool is_settled_at_once = !free_spring(loads) || !loads.pins;
   const std::size_t stations = (positions - 1) * static_cast<std::size_t>(steps_between(loads.stations, positions)) + 1;
-  return is_linear && is_slow && is_settled_at_once && loads.rpm.value_or(0) == 0 &&
+  return is_linear && is_slow && loads.rpm.value_or(0) == 0 &&
          stations <= LoadRow::most_stations && loads.extra.size() + 4 <= LaneLoads::most_forces &&
          loads.springs.size() <= LaneLoads::most_springs;
 }

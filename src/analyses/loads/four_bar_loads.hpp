@@ -10,8 +10,7 @@
 
 namespace linkwright {
 
-/// All of the loads is what kernels know: no torsion springs, no fast gas, no inertia, no more
-/// stations than they take, no strength that is left free beside pins with friction.
+/// All of the loads is what kernels know: no torsion springs, no fast gas, no inertia, no more stations than they take.
 [[nodiscard]] bool fits_lanes(const Loads& loads, std::size_t positions);
 
 /// CellLoads::read_out() of the four-bars of a map without defects, CellLook::map, in packs; infinite, to the worse
