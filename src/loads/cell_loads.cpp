@@ -6,7 +6,6 @@
 
 #include "linkwright/algebra/line_search.hpp"
 #include "linkwright/loads/load_report.hpp"
-#include "linkwright/loads/spring_charge.hpp"
 #include "loads/curve_root.hpp"
 #include "loads/free_strength.hpp"
 #include "loads/load_kernel.hpp"
@@ -304,16 +303,17 @@ static std::vector<CellCase> cases_on(const TravelledPlaces& on, const Loads& lo
   return cases;
 }
 
-/// The hand's forces at the stations of a map under one strength of the free spring: in the cases that count, and those
+/// The hand's forces at the stations under one strength of the free spring: in the cases that count, and those
 /// of opening the last position.
 struct HandUnder {
   std::vector<double> hand, last;
 };
 
-static std::optional<HandUnder> hand_under(double f1, const TravelledPlaces& on, const Loads& given, const Pose& body) {
+static std::optional<HandUnder> hand_under(double f1, const TravelledPlaces& on, const Loads& given, const Pose& body,
+                                           CellLook look) {
   const Loads loads = with_f1(given, f1);
   HandUnder found;
-  for (CellCase& each : cases_on(on, loads, body, CellLook::map)) {
+  for (CellCase& each : cases_on(on, loads, body, look)) {
     const bool counts = each.counts(ReadOut::hand_force), holds = each.counts(ReadOut::hold_open);
     if (!counts && !holds) continue;
     const auto forces = each.hand_forces();
@@ -332,36 +332,31 @@ static StrengthLines lines_of(const std::vector<double>& forces, const std::vect
   return lines;
 }
 
-/// F1 with which the largest force of the hand at the stations of a map is least; the friction of pins, which goes by
+/// F1 with which the largest force of the hand at the stations is least; the friction of pins, which goes by
 /// it, is that under the answer.
-static std::optional<double> best_f1(const TravelledPlaces& on, const Loads& loads, const Pose& body) {
+static std::optional<double> best_f1(const TravelledPlaces& on, const Loads& loads, const Pose& body, CellLook look) {
+  constexpr double near_enough = 1e-8;
+  const double agreed = look == CellLook::map ? agreed_strength : near_enough;
   const FreeStrength& free = *std::get<GasSpring>(loads.springs[*free_spring(loads)].law).free;
   const StrengthRange range = strengths_of(free);
   Loads smooth = loads;
   smooth.pins.reset();
-  const auto weakest = hand_under(range.weakest, on, smooth, body);
-  const auto strongest = hand_under(range.strongest, on, smooth, body);
+  const auto weakest = hand_under(range.weakest, on, smooth, body, look);
+  const auto strongest = hand_under(range.strongest, on, smooth, body, look);
   if (!weakest || !strongest) return std::nullopt;
   HandUnder now = *weakest;
   double share = 0;
   for (int turn = 0; turn < most_strengths; ++turn) {
     const auto next = best_share(lines_of(now.hand, weakest->hand, strongest->hand, share),
-                                 lines_of(now.last, weakest->last, strongest->last, share), free.min_hold_open);
+                                 lines_of(now.last, weakest->last, strongest->last, share), held_open(free));
     if (!next) return std::nullopt;
-    if (!loads.pins || (turn > 0 && std::abs(*next - share) <= agreed_strength)) return range.f1(*next);
+    if (!loads.pins || (turn > 0 && std::abs(*next - share) <= agreed)) return range.f1(*next);
     share = *next;
-    const auto under = hand_under(range.f1(share), on, loads, body);
+    const auto under = hand_under(range.f1(share), on, loads, body, look);
     if (!under) return std::nullopt;
     now = *under;
   }
   return std::nullopt;
-}
-
-static std::optional<double> best_f1_closely(const Loads& loads, const FourBar& bars,
-                                             std::span<const PrescribedPose> poses) {
-  const auto settled = settled_loads(loads, bars, poses);
-  if (!settled.found) return std::nullopt;
-  return std::get<GasSpring>(settled.found->springs[*free_spring(loads)].law).f1;
 }
 
 }  // namespace cell_loads
@@ -385,8 +380,7 @@ CellLoads::CellLoads(const Loads& loads, const PlanarOutput& output, CellLook lo
   if (cases->on.places.size() < cases->on.turns.size()) return;
   const bool is_free = free_spring(loads).has_value();
   if (is_free) {
-    cases->best_f1 = look == CellLook::map ? cell_loads::best_f1(cases->on, loads, body)
-                                           : cell_loads::best_f1_closely(loads, bars, poses);
+    cases->best_f1 = cell_loads::best_f1(cases->on, loads, body, look);
     if (!cases->best_f1) return;
     cases->settled = with_f1(loads, *cases->best_f1);
   }

@@ -13,6 +13,12 @@ StrengthRange strengths_of(const FreeStrength& free) {
   return {std::max(least_f1, free.min_f1.value_or(0)), free.max_f1};
 }
 
+std::optional<double> held_open(const FreeStrength& free) {
+  constexpr double more = 1e-4;
+  if (!free.min_hold_open) return std::nullopt;
+  return *free.min_hold_open + more * (1 + std::abs(*free.min_hold_open));
+}
+
 Loads with_f1(Loads loads, double f1) {
   const auto k = free_spring(loads);
   if (!k) return loads;

@@ -17,6 +17,9 @@ struct StrengthRange {
 };
 [[nodiscard]] StrengthRange strengths_of(const FreeStrength& free);
 
+/// By which it is to hold open; a little more than what is asked, which may be required of the linkage, too.
+[[nodiscard]] std::optional<double> held_open(const FreeStrength& free);
+
 /// The loads with a strength of the spring that leaves it free, which is then as any other.
 [[nodiscard]] Loads with_f1(Loads loads, double f1);
 
@@ -36,8 +39,8 @@ struct StrengthLines {
   }
 };
 
-/// Friction of pins goes by the strength: so often the best one is looked for with that under the one before, until both
-/// agree to so much of the range.
+/// Friction of pins goes by the strength: so often the best one is looked for with that under the one before, until
+/// both agree to so much of the range.
 inline constexpr int most_strengths = 40;
 inline constexpr double agreed_strength = 1e-9;
 

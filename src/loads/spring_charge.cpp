@@ -356,7 +356,7 @@ FoundOrNot<Loads> settled_loads(const Loads& loads, const FourBar& bars, std::sp
   others.springs.erase(others.springs.begin() + static_cast<std::ptrdiff_t>(*free));
   const FreeStrength& asked = *std::get<GasSpring>(loads.springs[*free].law).free;
   const SpringDemands demands{
-      .min_hold_open = asked.min_hold_open, .min_f1 = strengths_of(asked).weakest, .max_f1 = asked.max_f1};
+      .min_hold_open = held_open(asked), .min_f1 = strengths_of(asked).weakest, .max_f1 = asked.max_f1};
   auto charge = best_charge(others, bars, poses, spring, demands);
   if (!charge.found) return {{}, charge.why_not};
   return {with_f1(loads, charge.found->best), {}};

@@ -313,7 +313,7 @@ class RowsOfLoads {
         for (std::size_t k = first; k < first + 2 * stations; ++k) add(hand, k);
       if (strength_->last >> c & 1U) add(last, first + stations - 1);
     }
-    return best_share(hand, last, strength_->free.min_hold_open);
+    return best_share(hand, last, held_open(strength_->free));
   }
   void tell_strength(const std::vector<signed char>& senses, const std::vector<double>& shares,
                      std::span<float> values) const {
@@ -369,9 +369,8 @@ bool fits_lanes(const Loads& loads, std::size_t positions) {
   const bool is_slow =
       std::all_of(loads.cases.begin(), loads.cases.end(), [](const LoadCase& of) { return of.gas_exponent == 1; });
   const std::size_t stations = (positions - 1) * static_cast<std::size_t>(steps_between(loads.stations, positions)) + 1;
-  return is_linear && is_slow && loads.rpm.value_or(0) == 0 &&
-         stations <= LoadRow::most_stations && loads.extra.size() + 4 <= LaneLoads::most_forces &&
-         loads.springs.size() <= LaneLoads::most_springs;
+  return is_linear && is_slow && loads.rpm.value_or(0) == 0 && stations <= LoadRow::most_stations &&
+         loads.extra.size() + 4 <= LaneLoads::most_forces && loads.springs.size() <= LaneLoads::most_springs;
 }
 
 CellMeasures::Rows four_bar_loads(std::shared_ptr<const FourBarCells> links, const RegionMap& map, const Loads& loads,
