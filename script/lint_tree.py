@@ -26,7 +26,7 @@ RANKS = (
     ("mechanism",),
     ("region",),
     ("fields",),
-    ("function",),
+    ("function", "approximate"),
     ("planar", "spherical", "infinitesimal", "robust", "loads"),
     ("straight_line",),
     ("synthesis",),

@@ -49,6 +49,7 @@ struct OutlineArguments {
   std::string unit;             ///< of the drawing; empty: what it says itself
   std::optional<double> scale;  ///< lengths of the problem to the drawing's unit
   std::vector<double> at;       ///< x, y and degrees of the drawing's origin in the moving frame, or empty
+  int points = 48;              ///< along a path
 };
 [[nodiscard]] int outline(const OutlineArguments& arguments);
 

@@ -114,7 +114,7 @@ void add_export(CLI::App& app, ExportArguments& arguments) {
 
 void add_outline(CLI::App& app, OutlineArguments& arguments) {
   CLI::App* command = app.add_subcommand(
-      "outline", "Put a shape of a DXF or SVG drawing into a problem file as the outline of its body");
+      "outline", "Put a shape of a DXF or SVG drawing into a problem file: as the outline of its body, or as its path");
   command->add_option("DRAWING", arguments.drawing, "Drawing of another program: FILE.dxf (ASCII) or FILE.svg")
       ->required();
   command->add_option("PROBLEM", arguments.problem, "Problem file (JSON; - reads standard input)")->required();
@@ -134,9 +134,10 @@ void add_outline(CLI::App& app, OutlineArguments& arguments) {
       ->add_option(
           "--at", arguments.at,
           "x,y,degrees of the drawing's origin in the moving frame (default 0,0,0 where it lies in or near the "
-          "shape, else the shape's middle is the frame's origin)")
+          "shape, else the shape's middle is the frame's origin); of a path in the fixed frame (default 0,0,0)")
       ->delimiter(',')
       ->expected(3);
+  command->add_option("--points", arguments.points, "Of a path: how many points are laid along the shape (default 48)");
 }
 
 void add_tolerance(CLI::App& app, ToleranceArguments& arguments) {

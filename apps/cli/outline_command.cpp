@@ -43,7 +43,16 @@ std::vector<Error> mistakes_in(const OutlineArguments& arguments, std::size_t sh
       mistakes.push_back({"place_range", "--at", "the drawing's place is finite numbers x,y,degrees of 1e12 at most"});
       break;
     }
+  if (arguments.points < 3 || static_cast<std::size_t>(arguments.points) > PathTask::most_points)
+    mistakes.push_back(
+        {"path_point_range", "--points", fmt::format("a path is laid along 3 to {} points", PathTask::most_points)});
   return mistakes;
+}
+
+/// As somebody would write it: nine digits.
+Point rounded(Point p) {
+  const auto short_of = [](double value) { return std::stod(fmt::format("{:.9g}", value)); };
+  return {short_of(p.real()), short_of(p.imag())};
 }
 
 /// Lengths of the problem to the drawing's unit.
@@ -68,23 +77,67 @@ std::string size_text(const DrawnShape& shape, double scale, const std::string& 
                      unit.empty() ? "" : " ", unit);
 }
 
-std::string answer_of(const OutlineArguments& arguments, const Drawing& drawing, const OutlineFit& fit,
-                      const Problem& problem) {
+std::string shapes_text(const OutlineArguments& arguments, const Drawing& drawing, double scale,
+                        const std::string& unit) {
   std::string text;
   for (std::size_t i = 0; i < drawing.shapes.size(); ++i) {
     const DrawnShape& shape = drawing.shapes[i];
     const bool is_taken = i + 1 == static_cast<std::size_t>(arguments.shape);
-    text += fmt::format("{} shape {}: {}, {}\n", is_taken ? "*" : " ", i + 1,
-                        size_text(shape, fit.scale, problem.length_unit),
+    text += fmt::format("{} shape {}: {}, {}\n", is_taken ? "*" : " ", i + 1, size_text(shape, scale, unit),
                         shape.frame    ? "frame of the sheet"
                         : shape.closed ? "closed"
-                                       : "open, closed by a straight edge");
+                                       : "open");
   }
-  text += fmt::format("Outline of {} corners from {}", problem.outline.size(), arguments.drawing);
+  return text;
+}
+
+std::string answer_of(const OutlineArguments& arguments, const Drawing& drawing, const OutlineFit& fit,
+                      const Problem& problem) {
+  std::string text = shapes_text(arguments, drawing, fit.scale, problem.length_unit) +
+                     fmt::format("Outline of {} corners from {}", problem.outline.size(), arguments.drawing);
   if (fit.resized)
     text += fmt::format(", brought to the size of the task by the scale {} (--scale sets another)",
                         significant_text(fit.scale, 4));
   return text + "\n";
+}
+
+/// Evenly along the shape, as it is drawn; of an open one with both ends.
+std::vector<PathPoint> points_along(const DrawnShape& shape, double scale, const Pose& placed, int count) {
+  std::vector<Point> corners = shape.corners;
+  if (shape.closed) corners.push_back(corners.front());
+  std::vector<double> reached = {0};
+  for (std::size_t i = 1; i < corners.size(); ++i)
+    reached.push_back(reached.back() + std::abs(corners[i] - corners[i - 1]));
+  std::vector<PathPoint> points;
+  std::size_t side = 1;
+  for (int k = 0; k < count; ++k) {
+    const double way = reached.back() * k / (shape.closed ? count : count - 1);
+    while (side + 1 < corners.size() && reached[side] < way) ++side;
+    const double length = reached[side] - reached[side - 1];
+    const double share = length > 0 ? (way - reached[side - 1]) / length : 0;
+    const Point drawn = corners[side - 1] + share * (corners[side] - corners[side - 1]);
+    points.push_back({rounded(placed.origin + std::polar(scale, placed.angle) * drawn), {}, {}, {}, {}, {}});
+  }
+  return points;
+}
+
+/// The shape as the path that the task is to pass near, in the fixed frame.
+int path_of_drawing(const OutlineArguments& arguments, const Drawing& drawing, Problem problem, PathTask path) {
+  const DrawnShape& shape = drawing.shapes[static_cast<std::size_t>(arguments.shape - 1)];
+  const double scale = scale_of(arguments, drawing, problem.length_unit);
+  Pose placed;
+  if (!arguments.at.empty()) placed = {{arguments.at[0], arguments.at[1]}, radians(arguments.at[2])};
+  path.points = points_along(shape, scale, placed, arguments.points);
+  path.pivots = {};
+  path.closed = shape.closed;
+  if (!path.is_approximate()) path.between = PathBetween::free;
+  problem.task = std::move(path);
+  if (!write_output(arguments.output, [&](const TextSink& sink) { sink(write_problem(problem)); })) return failure;
+  if (arguments.output == "-") return 0;
+  const std::string text = shapes_text(arguments, drawing, scale, problem.length_unit) +
+                           fmt::format("{} path near {} points along {}\n", shape.closed ? "Closed" : "Open",
+                                       arguments.points, arguments.drawing);
+  return print_answer(text) ? 0 : failure;
 }
 
 }  // namespace
@@ -97,9 +150,11 @@ int outline(const OutlineArguments& arguments) {
     return mistake;
   }
   const std::span<const PrescribedPose> poses = guided_poses(problem->task);
-  if (poses.empty()) {
-    print_mistakes(arguments.problem,
-                   {{"no_body", "task", "this task guides no body in the plane, so none can have an outline"}});
+  const auto* path = std::get_if<PathTask>(&problem->task);
+  if (poses.empty() && path == nullptr) {
+    print_mistakes(arguments.problem, {{"no_body", "task",
+                                        "this task guides no body in the plane, so none can have an outline, and no "
+                                        "point along a path"}});
     return mistake;
   }
   const auto drawing = read_outlines_file(arguments.drawing);
@@ -108,6 +163,7 @@ int outline(const OutlineArguments& arguments) {
     print_mistakes(arguments.drawing, mistakes);
     return mistake;
   }
+  if (path != nullptr) return path_of_drawing(arguments, *drawing, *problem, *path);
   const DrawnShape& shape = drawing->shapes[static_cast<std::size_t>(arguments.shape - 1)];
   const OutlineFit fit =
       fit_of(arguments, shape, scale_of(arguments, *drawing, problem->length_unit), usual_size(poses));

@@ -29,8 +29,47 @@ std::string crank_words(const PathAnswer& answer) {
   return "\nCranks of all five positions, moving pivots in position 1:\n" + table.text();
 }
 
+namespace {
+
+std::string fit_table(const Problem& problem, const PathAnswer& answer) {
+  bool has_tolerance = false;
+  for (std::size_t i = 0; i < answer.task.points.size(); ++i)
+    has_tolerance = has_tolerance || answer.task.tolerance_at(i);
+  const auto length = [&](double value) {
+    return fmt::format("{}{}{}", significant_text(value, 4), problem.length_unit.empty() ? "" : " ",
+                       problem.length_unit);
+  };
+  std::vector<std::string> head = {"#",        "rms", "of the diagonal", "largest", "<at point", "between points",
+                                   "full turn"};
+  if (has_tolerance) head.emplace_back("within tolerance");
+  TextTable table(head);
+  for (std::size_t i = 0; i < answer.linkages.size(); ++i) {
+    const FourBarSolution& found = answer.linkages[i];
+    if (!found.fit || !found.path) continue;
+    const CurveError& error = found.fit->error;
+    std::vector<std::string> row = {fmt::format("{}", i + 1),
+                                    length(error.rms),
+                                    significant_text(100 * error.rms_over_diagonal, 3) + " %",
+                                    length(error.max),
+                                    fmt::format("{}", error.max_at + 1),
+                                    length(error.excursion),
+                                    found.path->full_turn ? "yes" : "no"};
+    if (has_tolerance)
+      row.push_back(found.fit->outside.empty() ? "yes" : fmt::format("{} points not", found.fit->outside.size()));
+    table.add_row(row);
+  }
+  return "\n" +
+         wrapped(
+             "How near the points lie to each path: root mean square and largest distance, and how far the "
+             "path strays between them from the polygon through them:") +
+         table.text();
+}
+
+}  // namespace
+
 std::string path_table(const Problem& problem, const PathAnswer& answer) {
   if (answer.linkages.empty()) return "";
+  if (answer.task.is_approximate()) return fit_table(problem, answer);
   const int decimals = decimals_for(answer.linkages);
   const bool is_timed = answer.task.is_timed();
   TextTable table({"#", "arm to input", "arm to output", "<full turn", "<order on circuit",

@@ -83,6 +83,8 @@ std::string map_words(const PathAnswer& answer) {
     case PathForm::ground_pivot:
     case PathForm::other_pivot:
       return of("places of the pivot");
+    case PathForm::nearest:
+      return "The nearest paths: the solution region";
     case PathForm::curve_of_arms:
       return fmt::format("The solution region of {} input links and {} linkages of each", answer.region.rows(),
                          answer.region.columns());
@@ -156,6 +158,8 @@ std::string score_words(Objective objective, const FourBarSolution& found, int d
       return rounded_text(found.lengths.longest() / found.lengths.shortest(), 3);
     case Objective::size:
       return rounded_text(found.lengths.longest(), decimals);
+    case Objective::path_error:
+      return significant_text(found.fit ? found.fit->error.rms : 0, 4) + " (root mean square)";
     case Objective::structural_error:
       return significant_text(degrees(found.function ? found.function->max_structural_error.value_or(0) : 0), 3) + "°";
     default:
@@ -290,6 +294,10 @@ std::string arm_free_words(const PathTask& task) {
              "columns are the linkages to each: the elbow can stand in two ways, with one or three linkages to each.";
     case PathForm::few:
       return "No parameter is free.";
+    case PathForm::nearest:
+      return "The rows of the solution region are the nearest paths that were found, its columns the three four-bars "
+             "that "
+             "trace each.";
     default:
       return fmt::format("{}the lengths of the {} and of the arm from it to the point. {}", two,
                          task.pivots.input ? "crank" : "output link", layer_words(task));

@@ -70,6 +70,7 @@ LinkageMore more_at(const FunctionAnswer& answer, MapPoint place) {
 std::vector<Cell> cells_at(const PathFamily& family, MapPoint place, bool respect_direction) {
   if (family.axis(Side::input).layers > 0)
     return family.all_at({family.axis(Side::input).onto(place.input), place.output}, respect_direction);
+  if (family.axis(Side::output).quantity == AxisQuantity::realisation) return family.all_at(place, respect_direction);
   std::vector<Cell> cells;
   if (family.axis(Side::output).quantity != AxisQuantity::layer) return cells;
   for (const CurveBranch& layer : family.axis(Side::output).branches)
@@ -80,7 +81,7 @@ std::vector<Cell> cells_at(const PathFamily& family, MapPoint place, bool respec
 LinkageMore more_at(const PathAnswer& answer, MapPoint place) {
   LinkageMore more;
   const PathFamily& family = *answer.given.paths;
-  const CellJudge judge(answer.requirements, path_linkages, family.measures());
+  const CellJudge judge(answer.requirements, family.linkages(), family.measures());
   for (const Cell& cell : cells_at(family, place, answer.requirements.respect_direction)) {
     if (!more.layers) more.layers.emplace();
     more.layers->push_back({cell.place, family.elbows_at(cell.place), cell.type, judge.passes(cell)});

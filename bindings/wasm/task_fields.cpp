@@ -35,7 +35,7 @@ static void fields(FieldVisitor& v, const OrderBlock& block) {
 
 static void fields(FieldVisitor& v, const ShownAxis& axis) {
   v.object({.name = "axis", .on_lines = true}, [&](FieldVisitor& to) {
-    to.shown("quantity", axis.axis.quantity, names_to(AxisQuantity::layer, "axis_quantity"));
+    to.shown("quantity", axis.axis.quantity, names_to(AxisQuantity::realisation, "axis_quantity"));
     to.shown(Field("order",
                    "Which of the display orders this is: given back in `explore.order`, it is forced (undo restores "
                    "the map exactly)."),

@@ -5,6 +5,7 @@
 #include "linkwright/analyses/load_study.hpp"
 #include "linkwright/analyses/spring_places.hpp"
 #include "linkwright/analyses/tolerance_study.hpp"
+#include "linkwright/approximate/curve_fit.hpp"
 #include "linkwright/core/angle.hpp"
 #include "linkwright/core/count_text.hpp"
 #include "linkwright/core/parallel.hpp"

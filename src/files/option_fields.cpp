@@ -33,6 +33,21 @@ static void fields(FieldVisitor& v, std::array<Objective, 2>& pareto) {
   visit(v, pareto, two, all_objectives());
 }
 
+static void fields(FieldVisitor& v, FitWishes& fit) {
+  const Names<FitEffort> efforts = {{FitEffort::quick, FitEffort::standard, FitEffort::deep}};
+  const Names<FitMeasure> kinds = {{FitMeasure::least_squares, FitMeasure::least_largest}};
+  v.object({.name = "fit"}, [&](FieldVisitor& to) {
+    to.optional(Field("effort", "How many places and starts are tried."), fit.effort, efforts);
+    to.optional(Field("measure", "What is least: the squares of the distances, or the largest distance."), fit.measure,
+                kinds);
+    to.optional(Field("grashof_margin",
+                      "Closed paths: by how much the longest and the shortest link are shorter than the other two "
+                      "together, at least, over the diagonal of the points; null: any linkage.")
+                    .null_for_none(),
+                fit.grashof_margin, Number{.least = 0, .most = 1, .below = true});
+  });
+}
+
 namespace {
 
 void of_lines(FieldVisitor& v, LineMeasuring& line, bool is_written) {
@@ -102,6 +117,7 @@ void fields(FieldVisitor& v, OptionsOf& of) {
     to.optional(Field("best", "How many linkages the result lists."), options.best,
                 Whole{0, SynthesisOptions::max_best});
     of_lines(to, options.line, of.of_line);
+    to.optional(Field("fit", "Paths that pass near points.").written(options.fit != FitWishes{}), options.fit);
     of_searches(to, options);
     of_places(to, options);
     to.check([&] { return mistakes_in(options); });

@@ -8,9 +8,7 @@
 
 #include "linkwright/core/angle.hpp"
 #include "linkwright/core/parallel.hpp"
-#include "linkwright/mechanism/driver_sequence.hpp"
 #include "linkwright/planar/four_bar_map.hpp"
-#include "turned_arm.hpp"
 
 namespace linkwright {
 namespace {
@@ -182,37 +180,8 @@ std::vector<PrescribedPose> ArmFamily::user_poses(MapPoint place, const FourBar&
   return poses;
 }
 
-namespace {
-
-// Derivatives of the angle of a crank whose moving pivot the body carries: of what is left of the point's way.
-std::vector<double> crank_rates(const PrescribedPose& there, Point crank, Point arm) {
-  std::vector<double> body;
-  for (const PoseDerivative& d : there.derivatives) body.push_back(d.angle);
-  std::vector<Point> link = turned_arm(arm, 0, body);
-  link[0] = crank;
-  for (std::size_t m = 1; m < link.size(); ++m) link[m] = there.derivatives[m - 1].origin - link[m];
-  return turn_rates(link);
-}
-
-}  // namespace
-
-// In the sense of the task where it has one; otherwise in that in which it meets the points in order.
 std::vector<PrescribedPose> ArmFamily::crank_poses(MapPoint place, const FourBar& bars) const {
-  std::vector<PrescribedPose> poses = user_poses(place, bars);
-  if (poses.empty()) return poses;
-  const DriverSequence order = driver_sequence(bars.input_fixed, bars.input_moving, poses, true);
-  const bool goes_ccw = task_.sense ? *task_.sense > 0 : order.ccw, goes_cw = task_.sense ? *task_.sense < 0 : order.cw;
-  const Pose first = poses.front().pose;
-  const Point first_crank = bars.input_moving - bars.input_fixed;
-  for (PrescribedPose& there : poses) {
-    const Point moving = displaced(bars.input_moving, first, there.pose), crank = moving - bars.input_fixed;
-    const bool is_first = &there == &poses.front();
-    const double ccw = is_first ? 0 : wrap_positive(std::arg(crank * std::conj(first_crank)));
-    const std::vector<double> rates = crank_rates(there, crank, there.pose.origin - moving);
-    there.pose.angle = goes_ccw || is_first ? ccw : goes_cw ? ccw - two_pi : wrap_signed(ccw);
-    for (std::size_t m = 0; m < rates.size(); ++m) there.derivatives[m].angle = rates[m];
-  }
-  return poses;
+  return crank_poses_of(bars, user_poses(place, bars), task_.sense);
 }
 
 std::optional<double> ArmFamily::rate_residual(MapPoint place) const {

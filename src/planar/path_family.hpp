@@ -4,6 +4,7 @@
 #include <string>
 #include <vector>
 
+#include "linkwright/planar/fitted_path.hpp"
 #include "linkwright/planar/four_bar_family.hpp"
 #include "linkwright/planar/path_task.hpp"
 #include "linkwright/planar/task_family.hpp"
@@ -36,6 +37,9 @@ class PathFamily : public FourBarFamily {
   /// is to be told.
   [[nodiscard]] virtual std::string elbows_at(MapPoint /*place*/) const { return {}; }
 
+  /// How near the path of the linkage at a place passes to points that it is only to be near.
+  [[nodiscard]] virtual std::optional<FittedPath> fitted_at(MapPoint /*place*/) const { return std::nullopt; }
+
   /// Where all linkages stand of a task that leaves but a few of them; otherwise nothing.
   [[nodiscard]] std::vector<MapPoint> few_places() const;
 
@@ -44,6 +48,11 @@ class PathFamily : public FourBarFamily {
   /// None: rows of a map share no input link, and its cells no poses of the body.
   [[nodiscard]] std::shared_ptr<const FourBarCells> four_bar_cells(const RegionMap& map) const override;
 };
+
+/// As PathFamily::crank_poses(), of the coupler's poses, in the first of which the bars lie; in the sense of the task
+/// where it has one (1 counter-clockwise, −1), otherwise in that in which the crank meets the points in order.
+[[nodiscard]] std::vector<PrescribedPose> crank_poses_of(const FourBar& bars, std::vector<PrescribedPose> poses,
+                                                         std::optional<double> sense);
 
 /// What a path task says before its linkages are classified. Where its form is that of cranks `conditions`, `curve` and
 /// `points` are those of the cranks as dyads; `derivative_rows` stays empty: PathFamily::rate_residual(). Requirements

@@ -9,6 +9,7 @@
 #include "linkwright/core/angle.hpp"
 #include "linkwright/core/tolerance.hpp"
 #include "linkwright/planar/six_bar_task.hpp"
+#include "nearest_path.hpp"
 
 namespace linkwright {
 namespace {
@@ -427,6 +428,7 @@ int PathTask::angled_count() const {
 }
 
 PathForm PathTask::form() const {
+  if (is_approximate()) return PathForm::nearest;
   const int angled = angled_count(), plain = position_count(points) - angled;
   if (pivots.count() == 2 && (angled > 0 || plain != 3)) return PathForm::few;
   if (angled == 0) return PathForm::arms;
@@ -476,6 +478,7 @@ std::vector<Error> mistakes_in(const PathTask& task) {
                                             check_pivots,     check_equal_angles,    check_sequence,   check_rates,
                                             check_directions, check_same_poses,      check_repetitions};
   std::vector<Error> found;
+  if (task.is_approximate()) return mistakes_in_nearest(task);
   for (const auto check : checks)
     if (found.empty()) check(task, found);
   return found;

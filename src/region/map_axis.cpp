@@ -8,12 +8,12 @@
 namespace linkwright {
 namespace {
 
-constexpr std::array<std::string_view, 28> quantity_names = {
+constexpr std::array<std::string_view, 30> quantity_names = {
     "curve_coordinate", "burmester_point", "side_direction", "side_length", "output_scale", "pair_output",
     "nothing",          "link_direction",  "link_ray",       "point_ray",   "pole_height",  "pivot_height",
     "frame_height",     "pivot_distance",  "output_arm",     "link_length", "crank_length", "point_arm",
     "crank_range",      "center_x",        "center_y",       "circle_x",    "circle_y",     "center_on_line",
-    "circle_on_line",   "arm_reach",       "arm_difference", "layer"};
+    "circle_on_line",   "arm_reach",       "arm_difference", "layer",       "fitted_curve", "realisation"};
 
 }  // namespace
 

@@ -30,6 +30,7 @@ constexpr std::array<ObjectiveRow, static_cast<std::size_t>(Objective::end)> obj
     {Objective::hold_open, "hold_open", "largest hold-open force", &measures::hold_open},
     {Objective::pin_force, "pin_force", "smallest largest force of a pin", &measures::max_pin_force},
     {Objective::torque, "torque", "smallest largest driving torque", &measures::max_torque},
+    {Objective::path_error, "path_error", "smallest distance from the points", &measures::path_error},
 }};
 
 /// Objectives by themselves, which others walk.

@@ -42,6 +42,10 @@ std::vector<Error> mistakes_in(const SynthesisOptions& options) {
                      fmt::format("the number of chains or arms to try lies between 1 and {}; {} is usual",
                                  SynthesisOptions::max_effort, SynthesisOptions{}.effort),
                      {{"most", SynthesisOptions::max_effort}, {"usual", SynthesisOptions{}.effort}}});
+  if (const auto& margin = options.fit.grashof_margin; margin && !(*margin >= 0 && *margin < 1))
+    found.push_back({"grashof_margin_range", "options.fit.grashof_margin",
+                     "a Grashof margin is a share of the diagonal, from 0 to below 1; 0.003 is usual, null allows any "
+                     "linkage"});
   const auto check_length = [&](const std::optional<double>& length, const char* place) {
     if (length && !(*length > 0 && std::isfinite(*length)))
       found.push_back({"length_of_line", place, "a length greater than 0 belongs here, or null"});
@@ -86,6 +90,9 @@ std::vector<Error> mistakes_in(const Task& task, const Requirements& requirement
   if (output_kind(task) != OutputKind::line && options.line != LineMeasuring{})
     return {
         {"line_options", "options", "\"deviation\", \"stroke\" and \"measure\" belong to straight lines; remove them"}};
+  const auto* path = std::get_if<PathTask>(&task);
+  if (options.fit != FitWishes{} && (path == nullptr || !path->is_approximate()))
+    return {{"fit_options", "options.fit", "\"fit\" belongs to paths that pass near points; remove it"}};
   if (options.at && is_search(task))
     return {{"place_of_search", "options.at",
              output_kind(task) == OutputKind::line

@@ -9,12 +9,14 @@
 #include "analyses/analyses.hpp"
 #include "function/generator_search.hpp"
 #include "linkage_search.hpp"
+#include "linkwright/core/angle.hpp"
 #include "linkwright/core/count_text.hpp"
 #include "linkwright/core/tolerance.hpp"
 #include "linkwright/region/cell_judge.hpp"
 #include "linkwright/spherical/spherical_task_family.hpp"
 #include "picked_place.hpp"
 #include "planar/chosen_length.hpp"
+#include "planar/fitted_path_family.hpp"
 #include "planar/function_family.hpp"
 #include "planar/path_drive.hpp"
 #include "planar/path_family.hpp"
@@ -168,7 +170,10 @@ template <class KindAnswer>
 bool leaves_few(const KindAnswer& answer) {
   return !answer.given.points.empty() && !answer.given.curve;
 }
-bool leaves_few(const PathAnswer& answer) { return !answer.given.paths->few_places().empty(); }
+// Of the nearest paths each linkage listed has the others that trace its path.
+bool leaves_few(const PathAnswer& answer) {
+  return !answer.task.is_approximate() && !answer.given.paths->few_places().empty();
+}
 
 template <class KindAnswer>
 void list_there(KindAnswer& answer) {
@@ -291,6 +296,13 @@ Progress part_of(const Progress& progress, double from, double to) {
   return {[&progress, from, to](double done) { progress(from + (to - from) * done); }, progress.cancelled};
 }
 
+// A closed path is run all along.
+void go_all_round(DefectReport& report) {
+  if (!report.defects.none()) return;
+  report.min_transmission_angle = report.min_transmission_angle_full_turn;
+  report.sweep = two_pi;
+}
+
 }  // namespace
 
 std::optional<FourBarSolution> linkage_at(const FourBarAnswer& answer, MapPoint place, bool verify) {
@@ -304,6 +316,8 @@ std::optional<FourBarSolution> linkage_at(const PathAnswer& answer, MapPoint pla
   const std::vector<PrescribedPose> crank_poses = family.crank_poses(there, found->four_bar);
   found->path = timed_path(found->four_bar, crank_poses);
   found->path->elbows = family.elbows_at(there);
+  found->fit = family.fitted_at(there);
+  if (found->fit && answer.task.closed) go_all_round(found->report);
   if (!family.is_timed()) found->path->cognate.reset();
   found->residual_derivatives = family.rate_residual(there);
   if (verify) drive_path(*found, family, crank_poses);
@@ -329,6 +343,10 @@ FunctionAnswer begin_answer(const FunctionTask& task, const Requirements& requir
 }
 PathAnswer begin_answer(const PathTask& task, const Requirements& requirements, const SynthesisOptions& options,
                         const Progress& progress) {
+  if (task.is_approximate())
+    return begin_pairs<PathAnswer>(
+        task, family_of_nearest(task, requirements, options.fit, options.region, {{}, progress.cancelled}),
+        requirements, options);
   if (!task.seeks_pivot())
     return begin_pairs<PathAnswer>(task, task_family(task, requirements, options.objective), requirements, options);
   const PivotSearchResult found =

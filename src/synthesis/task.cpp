@@ -5,7 +5,14 @@
 namespace linkwright {
 
 const LinkageClass& linkages(const Task& task) {
-  return std::visit([](const auto& of_kind) -> const LinkageClass& { return of_kind.linkages; }, task);
+  return std::visit(
+      [](const auto& of_kind) -> const LinkageClass& {
+        if constexpr (requires { of_kind.linkage_class(); })
+          return of_kind.linkage_class();
+        else
+          return of_kind.linkages;
+      },
+      task);
 }
 
 const WantedFunction* wanted_function(const Task& task) {

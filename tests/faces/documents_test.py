@@ -113,7 +113,8 @@ class Documents(FaceTest):
                     self.assertTrue(list(ROOT.glob(script + "*")))
 
     def test_the_pictures_are_the_programs(self):
-        for example, name in (("tailgate", "tailgate"), ("straight_watt_suspension", "straight_line")):
+        for example, name in (("tailgate", "tailgate"), ("straight_watt_suspension", "straight_line"),
+                              ("bean_stirrer", "nearest_path")):
             picture = self.folder / "fresh.svg"
             self.assertEqual(run("solve", f"examples/{example}.json", "--svg", picture, cwd=ROOT)[0], 0)
             self.assert_same_texts(name, picture, f"solve examples/{example}.json")

@@ -26,7 +26,11 @@ PATTERNS = {"tailgate": "P-P-P-P", "tailgate_struts": "P-P-P-P", "counterbalance
             "folding_wing": "P-P-P-P", "wrist_orthosis": "P-P-P-P", "antenna_pointing": "P-P-P-P",
             "ankle_orthosis": "P-P-P-P-P", "universal_joint_like": "P-P-P-P", "film_claw": "P-P-P-P",
             "dough_mixer": "P-P-P-P-P", "windscreen_wiper": "P-P-P", "thread_take_up": "PP-P-P",
-            "walking_leg_path": "P-P-P-P-P", "packaging_feeder": "P-P-P-P-P", "garage_door_point": "P-P-P-P-P"}
+            "walking_leg_path": "P-P-P-P-P", "packaging_feeder": "P-P-P-P-P", "garage_door_point": "P-P-P-P-P",
+            "bean_stirrer": "16 points", "walking_foot": "19 points", "film_advance": "15 points", "letter_loop": "22 points",
+            "transfer_arch": "15 points"}
+NEAR = {name for name, pattern in PATTERNS.items() if pattern.endswith("points")}  # searched for: not all that there are
+TOLD_OF_NEAR = {"path_fitted", "nearer_with_defects", "path_tolerance_missed", "path_strays"}
 
 # What the function generators are to generate.
 WANTED = {"sine_generator": lambda x: math.sin(math.radians(x)), "log_generator": math.log10, "flow_meter": math.sqrt,
@@ -121,8 +125,9 @@ class Examples(FaceTest):
         for name, result in self.all.items():
             with self.subTest(name):
                 self.assertEqual(result["status"], "solved")
-                self.assertEqual(result["warnings"], [])
-                positions = result["pattern"].count("P")
+                told = {warning["code"] for warning in result["warnings"]}
+                self.assertLessEqual(told, TOLD_OF_NEAR if name in NEAR else set())
+                positions = 5 if name in NEAR else result["pattern"].count("P")
                 is_given_whole = name in ("bin_lid", "bracket_hatch", "rail_tailgate")
                 self.assertGreaterEqual(len(result["linkages"]), 1 if positions == 5 or is_given_whole else 2)
                 if name == "loader_bucket":

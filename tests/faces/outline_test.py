@@ -90,6 +90,30 @@ class Outline(FaceTest):
         self.assertEqual(run("outline", self.write("a.dxf", dxf(rectangle(0, 0, 300, 100))), problem, "-o", problem)[0], 0)
         self.assertEqual(len(json.loads(problem.read_text())["view"]["outline"]), 4)
 
+    def test_a_shape_becomes_the_points_of_a_path(self):
+        path = self.write("path.json", {"linkwright": 1, "length_unit": "mm", "task": {"kind": "path", "mechanism": "four_bar",
+                          "tolerance": 2, "points": [{"x": 0, "y": 0}, {"x": 1, "y": 0}, {"x": 0, "y": 1}]}})
+        target = self.folder / "with_path.json"
+
+        def task_of(*entities, flags=()):
+            drawing = self.write("path.dxf", dxf(*entities))
+            status, said, error = run("outline", drawing, path, "-o", target, *flags)
+            self.assertEqual((status, error), (0, ""))
+            return json.loads(target.read_text())["task"], said
+
+        task, said = task_of(rectangle(0, 0, 30, 10), flags=("--points", 8, "--at", "100,0,90"))
+        self.assertEqual([(point["x"], point["y"]) for point in task["points"]],
+                         [(100, 0), (100, 10), (100, 20), (100, 30), (90, 30), (90, 20), (90, 10), (90, 0)])
+        self.assertEqual((task["closed"], task["tolerance"]), (True, 2))
+        self.assertIn("Closed path near 8 points", said)
+        line = groups(0, "LINE", 8, "0", 10, 0, 20, 0, 11, 40, 21, 0) + groups(0, "LINE", 8, "0", 10, 40, 20, 0, 11, 40, 21, 40)
+        task, said = task_of(line, flags=("--points", 5))
+        self.assertEqual(sorted((point["x"], point["y"]) for point in task["points"]), [(0, 0), (20, 0), (40, 0), (40, 20), (40, 40)])
+        self.assertNotIn("closed", task)
+        status, output, error = run("solve", target)
+        self.assertEqual((status, error), (0, ""), output)
+        self.assert_mistake(run("outline", self.folder / "path.dxf", path, "--points", 2), "--points", "3 to 1000")
+
     def test_mistakes(self):
         part = dxf(rectangle(0, 0, 300, 100))
         self.refused(part, "--shape", "1 to 1", flags=("--shape", 2))

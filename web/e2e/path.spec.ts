@@ -1,5 +1,5 @@
 // Paths on the page: a mixer's blade about its given pivot, a feeder's gripper through three poses and two points, a leg
-// between both of its pivots, each from the dialog on. At given angles of the crank: src/kinds/path/path.dom.test.ts.
+// between both of its pivots, each from the dialog on; and a bean that is drawn. At given angles of the crank: src/kinds/path/path.dom.test.ts.
 import type {Page} from "@playwright/test";
 import type {MapAnswer} from "../src/contract/messages";
 import type {PathTask} from "../src/kinds/path/task";
@@ -233,4 +233,101 @@ test("a walking leg: begun, all its linkages gone through, the crank-rocker take
   await page.getByTestId("path.remove.6").click();
   await page.getByTestId("path.remove.5").click();
   await expect(page.getByTestId("task.missing")).toContainText("three points or with five");
+});
+
+/** Pixels of a bean about a middle, as a hand goes round it and a little past its beginning. */
+function bean_about({x, y}: Pixel, size: number): Pixel[] {
+  return Array.from({length: 91}, (_, k) => {
+    const angle = (2 * Math.PI * k) / 88,
+      r = size * (1 - 0.3 * Math.exp(-((Math.sin((angle - Math.PI / 2) / 2) * 2) ** 2) / 0.5));
+    return {x: x + 1.35 * r * Math.cos(angle), y: y + r * Math.sin(angle) - 0.1 * size};
+  });
+}
+async function draw(page: Page, pixels: readonly Pixel[], before_release?: () => Promise<void>): Promise<void> {
+  await page.getByTestId("path.draw").click();
+  await page.mouse.move(pixels[0]!.x, pixels[0]!.y);
+  await page.mouse.down();
+  for (const {x, y} of pixels) await page.mouse.move(x, y);
+  await before_release?.();
+  await page.mouse.up();
+}
+const fit_of = (page: Page) => read_state(page, ({hand}) => hand!.path!.fit!);
+
+test("a bean: drawn, followed before the mouse is let go, its four-bars flicked through, undone, on a phone", async ({
+  page,
+}) => {
+  await begin(page, "path_near");
+  await expect(page.getByTestId("path.rms_share")).toHaveText(/^0\.\d+ %$/);
+  await expect_accessible(page);
+  await keep_screenshot(page, "path_near");
+
+  const canvas = (await page.getByTestId("drawing.canvas").boundingBox())!,
+    middle = {x: canvas.x + 0.5 * canvas.width, y: canvas.y + 0.5 * canvas.height},
+    before = await task_of(page);
+  await draw(page, bean_about(middle, 0.2 * canvas.height), async () => {
+    await expect(page.getByTestId("path.stroke")).toBeVisible();
+    await expect.poll(() => read_state(page, ({is_current, hand}) => is_current && hand?.path?.fit != null)).toBe(true);
+    expect((await fit_of(page)).error.rms_over_diagonal).toBeLessThan(0.005);
+  });
+  await until_settled(page);
+  const drawn = await task_of(page);
+  expect([drawn.closed, drawn.points.length]).toEqual([true, 24]);
+  await expect(page.getByTestId("num.type")).toHaveText("Crank-rocker");
+  await expect(page.getByTestId("path.full_turn")).toHaveText("yes");
+  expect((await fit_of(page)).error.rms_over_diagonal).toBeLessThan(0.005);
+  await expect(page.getByTestId("path.stroke")).toHaveCount(0);
+  await keep_screenshot(page, "path_drawn");
+
+  // The three four-bars that trace it.
+  const {rms} = (await fit_of(page)).error,
+    seen = new Set<string>();
+  await expect(page.getByTestId("path.layer")).toContainText("of 3 that trace this path");
+  for (let k = 0; k < 3; ++k) {
+    seen.add((await center_of(page)).map((value) => value.toFixed(3)).join());
+    expect((await fit_of(page)).error.rms).toBeCloseTo(rms, 6);
+    await page.keyboard.press("l");
+    await until_settled(page);
+  }
+  expect(seen.size).toBe(3);
+  for (let k = 0; k < 4; ++k) await page.keyboard.press("Control+z");
+  await until_settled(page);
+  expect(await task_of(page)).toEqual(before);
+  await page.keyboard.press("Control+Shift+z");
+  await until_settled(page);
+  expect(await task_of(page)).toEqual(drawn);
+
+  // A point is dragged, a tolerance given.
+  const point = await middle_of(page.getByTestId("drawing.point_6"));
+  await drag(page, point, {x: point.x + 14, y: point.y + 8});
+  await until_settled(page);
+  expect((await task_of(page)).points[5]).not.toEqual(drawn.points[5]);
+  await page.getByTestId("path.tolerance").fill("5");
+  await page.keyboard.press("Enter");
+  await until_settled(page);
+  await expect(page.getByTestId("path.tube")).toBeVisible();
+  await page.setViewportSize({width: 1024, height: 768});
+  await until_settled(page);
+  await keep_screenshot(page, "path_near-1024");
+
+  await page.setViewportSize({width: 390, height: 844});
+  await until_settled(page);
+  await keep_screenshot(page, "path_near-phone");
+  await read_state(page, (workbench) => void (workbench.sheet = "task"));
+  await page.getByTestId("path.draw").scrollIntoViewIfNeeded();
+  await expect_accessible(page);
+  await keep_screenshot(page, "path_near-phone_task");
+  expect(await page.evaluate(() => document.documentElement.scrollWidth <= innerWidth)).toBe(true);
+  await page.getByTestId("path.draw").click();
+  await expect(page.getByTestId("drawing.mode")).toBeVisible();
+  const small = (await page.getByTestId("drawing.canvas").boundingBox())!,
+    here = {x: small.x + 0.45 * small.width, y: small.y + 0.4 * small.height},
+    pixels = bean_about(here, 0.18 * small.height);
+  await page.mouse.move(pixels[0]!.x, pixels[0]!.y);
+  await page.mouse.down();
+  for (const {x, y} of pixels) await page.mouse.move(x, y);
+  await page.mouse.up();
+  await until_settled(page);
+  expect((await task_of(page)).points).toHaveLength(24);
+  expect((await fit_of(page)).error.rms_over_diagonal).toBeLessThan(0.01);
+  await keep_screenshot(page, "path_near-phone_drawn");
 });

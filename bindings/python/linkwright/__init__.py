@@ -18,7 +18,7 @@ from .region import Region
 from .errors import Cancelled, Mistake, ProblemError
 from .records import Record
 from .sessions import LiveMap, Session
-from .solving import Cancellation, read_problem, solve
+from .solving import Cancellation, fit_path, read_problem, solve
 from .sweeps import Sweep, SweepPlan, load_sweep, sweep
 from .tasks import (
     FunctionTask,
@@ -60,6 +60,7 @@ __all__ = [
     "SweepPlan",
     "__version__",
     "attitude",
+    "fit_path",
     "instant",
     "linkage_types",
     "load_sweep",

@@ -4,11 +4,11 @@ from __future__ import annotations
 
 import sys
 import time
-from typing import Any, Callable, Union
+from typing import Any, Callable, Mapping, Sequence, Union
 
 from . import _linkwright
 from .answers import Answer
-from .tasks import ProblemLike, native
+from .tasks import PathPoint, PathTask, Problem, ProblemLike, native
 
 Cancellation = _linkwright.Cancellation
 Report = Callable[[float], Any]
@@ -50,6 +50,57 @@ def solve(
     finally:
         close()
     return Answer._of(solved, read.text())
+
+
+def fit_path(
+    points: Any,
+    *,
+    closed: bool = False,
+    tolerance: float | None = None,
+    between: str = "free",
+    weights: Any = None,
+    requirements: Mapping[str, Any] | None = None,
+    effort: str = "standard",
+    measure: str = "least_squares",
+    best: int = 10,
+    length_unit: str = "",
+    progress: Union[bool, Report, None] = None,
+    cancellation: Cancellation | None = None,
+) -> Answer:
+    """The four-bars whose coupler point passes nearest to a drawn or measured curve.
+
+        >>> import linkwright as lw
+        >>> bean = [(90, 18), (83, 31), (64, 34), (34, 32), (0, 30), (-34, 32), (-64, 34), (-83, 31),
+        ...         (-90, 18), (-83, -6), (-64, -34), (-34, -57), (0, -66), (34, -57), (64, -34), (83, -6)]
+        >>> found = lw.fit_path(bean, closed=True).linkages[0]
+        >>> found.type, found.record["fit"]["error"]["rms_over_diagonal"] < 0.005
+        ('crank_rocker', True)
+
+    Args:
+        points: n × 2, in the order in which they are passed, 3 to 1000; user's unit.
+        closed, tolerance, between: as :class:`PathTask` has them.
+        weights: one to each point, of the squared distances.
+        requirements: as in problem files.
+        effort: ``"quick"``, ``"standard"`` or ``"deep"``: how many places and starts are tried.
+        measure: ``"least_squares"``, or ``"least_largest"``: the largest distance is least.
+        best: how many linkages are listed.
+        length_unit, progress, cancellation: as :func:`solve` and :class:`Problem` have them.
+
+    Returns:
+        The answer, as :func:`solve` gives it. Its linkages are evidence, not proof: others may come nearer.
+
+    Raises:
+        ProblemError: fewer than three different points, numbers that are not finite, a tolerance of 0, ….
+    """
+    places = [tuple(float(value) for value in point) for point in points]
+    given: Sequence[float | None] = [None] * len(places) if weights is None else [float(weight) for weight in weights]
+    if len(given) != len(places):
+        raise ValueError(f"{len(given)} weights are given for {len(places)} points")
+    path = [PathPoint(*place, weight=weight) for place, weight in zip(places, given)]
+    task = PathTask(path, closed=closed, tolerance=tolerance, between=between)
+    options = {"fit": {"effort": effort, "measure": measure}, "best": best}
+    problem = Problem(task, requirements=requirements, options=options, length_unit=length_unit)
+    return solve(problem, progress=progress, cancellation=cancellation)
 
 
 def read_problem(problem: ProblemLike) -> dict[str, Any]:

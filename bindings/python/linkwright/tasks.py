@@ -116,6 +116,8 @@ class PathPoint:
         derivatives: the first, second, … derivatives of x and y by a parameter that rises along the task, as dicts with
             ``x``, ``y``; of a pose also ``theta``, of a timed point ``input`` unless the parameter is the crank's turn
             (radians by the parameter). Each counts as a further position.
+        tolerance: of a path that passes near its points: how far from this one, user's unit.
+        weight: of such a path: of the squared distance; 1 where it is left out.
     """
 
     x: float
@@ -123,6 +125,8 @@ class PathPoint:
     input_deg: float | None = None
     theta_deg: float | None = None
     derivatives: Sequence[Mapping[str, Number]] = ()
+    tolerance: float | None = None
+    weight: float | None = None
 
     def to_dict(self) -> dict[str, Any]:
         return _without_empty(_members(self))
@@ -137,15 +141,26 @@ class PathTask:
             with angles of crank or coupler and two without; four and one; or, with ground pivots given, five or three; or
             five alone, with ``options={"box": …}`` of a :class:`Problem`, in which the input's pivot is searched for.
         ground_pivots: those that are given, ``{"input": [40, 90]}``, ``{"output": …}`` or both.
+        closed: the path passes near its points, from the last one on to the first, by an input that turns fully.
+        tolerance: it passes near its points: how far from each without a tolerance of its own.
+        between: it passes near its points, and between them is ``"free"`` or keeps to the ``"polyline"``.
+
+    Three to 1000 points are passed near where one of the last three, a tolerance or a weight is given, or where they are
+    more than five and nothing else is.
     """
 
     points: Sequence[PathPoint | Sequence[Number] | Mapping[str, Any]]
     ground_pivots: Mapping[str, Sequence[Number]] | None = None
+    closed: bool = False
+    tolerance: float | None = None
+    between: str | None = None
 
     def to_dict(self) -> dict[str, Any]:
         points = [point if isinstance(point, (PathPoint, Mapping)) else _path_point(point) for point in self.points]
         given = None if self.ground_pivots is None else {"ground_pivots": self.ground_pivots}
-        return _without_empty({"kind": "path", "mechanism": "four_bar", "points": points, "given": given})
+        task = {"kind": "path", "mechanism": "four_bar", "points": points, "given": given}
+        near = {"closed": self.closed or None, "tolerance": self.tolerance, "between": self.between}
+        return _without_empty({**task, **near})
 
 
 @dataclass(frozen=True)

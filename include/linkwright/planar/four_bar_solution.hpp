@@ -6,6 +6,7 @@
 #include "linkwright/function/function_error.hpp"
 #include "linkwright/mechanism/defects.hpp"
 #include "linkwright/mechanism/four_bar.hpp"
+#include "linkwright/planar/fitted_path.hpp"
 #include "linkwright/planar/four_bar_family.hpp"
 #include "linkwright/planar/task_family.hpp"
 #include "linkwright/planar/timed_path.hpp"
@@ -32,6 +33,7 @@ struct FourBarSolution {
   std::optional<PoseError> pose_error;    ///< of the pose that was freed
   std::optional<FunctionError> function;  ///< of function tasks
   std::optional<TimedPath> path;          ///< of path tasks
+  std::optional<FittedPath> fit;          ///< of paths that pass near points
 };
 
 /// The four-bar at a place of a task's map, analysed, its residuals in user coordinates; with `verify`, driven through

@@ -32,6 +32,9 @@ struct PathPoint {
   std::optional<double> input;  ///< angle of the crank there from any datum, radians, counter-clockwise
   std::optional<double> angle;  ///< or of the coupler, likewise
   std::vector<PathDerivative> derivatives;
+  // Of paths that pass near points.
+  std::optional<double> tolerance;  ///< how far from it the path may pass, user's unit, > 0
+  std::optional<double> weight;     ///< of the squared distance, ≥ 0; nothing: 1
 
   /// How many infinitesimally close positions it counts as, ≥ 1.
   [[nodiscard]] int multiplicity() const { return 1 + static_cast<int>(derivatives.size()); }
@@ -54,6 +57,14 @@ enum class PathTiming { none, some, all };
 /// "none", "some", "all".
 [[nodiscard]] std::string_view name(PathTiming timing);
 
+/// What becomes of a path between points that it is to pass near.
+enum class PathBetween {
+  free,
+  polyline  ///< it keeps to the polygon through the points
+};
+/// "free", "polyline".
+[[nodiscard]] std::string_view name(PathBetween between);
+
 /// What a path task leaves open, and thereby what its map runs over.
 enum class PathForm {
   cranks,         ///< four or five timed positions: pairs of cranks
@@ -62,18 +73,34 @@ enum class PathForm {
   other_pivot,    ///< three timed positions and a ground pivot: places of the other one
   curve_of_arms,  ///< four positions with angles and a plain one: input links along their curve
   few,            ///< both ground pivots and five plain positions, or three timed ones: some linkages
+  nearest,        ///< more plain positions than any four-bar passes, or near ones: the nearest curves
 };
 
 /// Path generation: a point of the coupler of a planar four-bar shall pass these places, in this order. Angles of the
-/// crank or of the coupler are given at some, in place of them ground pivots.
+/// crank or of the coupler are given at some, in place of them ground pivots. Or it shall pass as near to them as it
+/// can.
 struct PathTask {
-  static constexpr const LinkageClass& linkages = path_linkages;
+  static constexpr std::size_t most_points = 1000;  ///< that a path may pass near
   static constexpr OutputKind output = OutputKind::point;
 
   std::vector<PathPoint> points;
   GroundPivots pivots;
   std::optional<Box> box;  ///< of five plain positions: where the input's ground pivot is searched for, user's unit
+  // Of paths that pass near points; one of them, or a tolerance or a weight of a point, asks for these, and so do more
+  // than five points without angles.
+  bool closed = false;                 ///< from the last point on to the first, by an input that turns fully
+  std::optional<double> tolerance;     ///< of all points without their own, user's unit, > 0
+  std::optional<PathBetween> between;  ///< nothing: free
 
+  [[nodiscard]] const LinkageClass& linkage_class() const {
+    return is_approximate() ? near_path_linkages : path_linkages;
+  }
+  /// The path is to pass near the points, not through them.
+  [[nodiscard]] bool is_approximate() const;
+  /// What only these have is given.
+  [[nodiscard]] bool asks_for_nearest() const;
+  /// Of a point; nothing: none is given.
+  [[nodiscard]] std::optional<double> tolerance_at(std::size_t point) const;
   [[nodiscard]] PathTiming timing() const;
   /// The crank's angle is given at all points.
   [[nodiscard]] bool is_timed() const { return timing() == PathTiming::all; }
@@ -90,8 +117,9 @@ struct PathTask {
 /// The caller's mistakes: number of positions, nothing that is given beside points, angles of both links, numbers that
 /// are not finite or too large, a crank that stands or turns back at a derivative, equal angles, angles that do not go
 /// one way within one turn, points at pivots, pivots at one place, a box that is empty or where nothing is searched
-/// for. Places are `task.points[i]…` (i from 0), `task.given.ground_pivots…` and `options.box`. Empty when the task can
-/// be solved.
+/// for; of paths near points anything given beside them, fewer than three different ones, tolerances and weights out of
+/// range. Places are `task.points[i]…` (i from 0), `task.given.ground_pivots…`, `task.tolerance` and `options.box`.
+/// Empty when the task can be solved.
 [[nodiscard]] std::vector<Error> mistakes_in(const PathTask& task);
 
 /// In which sense the crank of a task without mistakes turns that gives its angle somewhere: 1 counter-clockwise,

@@ -82,6 +82,7 @@ inline constexpr auto straight_line_objectives =
 inline constexpr auto path_objectives =
     joined(with_analyses(std::array{Objective::min_transmission_angle, Objective::link_ratio, Objective::size}),
            load_objectives);
+inline constexpr auto near_path_objectives = joined(std::array{Objective::path_error}, path_objectives);
 inline constexpr auto unloaded_objectives = with_analyses(
     std::array{Objective::min_transmission_angle, Objective::link_ratio, Objective::size, Objective::structural_error});
 inline constexpr auto planar_objectives = joined(unloaded_objectives, load_objectives);
@@ -97,6 +98,9 @@ inline constexpr LinkageClass unloaded_linkages = {class_members::planar_types, 
                                                    class_members::unloaded_objectives};
 inline constexpr LinkageClass path_linkages = {class_members::planar_types, class_members::path_requirements,
                                                class_members::path_objectives};
+/// Of paths that pass near points; the smallest error ranks them where nothing else is asked for.
+inline constexpr LinkageClass near_path_linkages = {class_members::planar_types, class_members::path_requirements,
+                                                    class_members::near_path_objectives};
 inline constexpr LinkageClass spherical_linkages = {
     class_members::spherical_types, class_members::spherical_requirements, class_members::spherical_objectives};
 inline constexpr LinkageClass straight_line_linkages = {

@@ -58,6 +58,9 @@ enum class AxisQuantity {
   arm_reach,       ///< largest distance of a point over the sum of link and arm, in (0, 1]
   arm_difference,  ///< difference of arm and link over the least distance, in [−1, 1]
   layer,           ///< one of the linkages that stand at a place; each fills a branch
+  // Of paths that pass near points.
+  fitted_curve,  ///< one of the curves that were found; each fills a branch
+  realisation,   ///< one of the three four-bars that trace a curve; each fills a branch
 };
 /// "curve_coordinate", "side_direction", …
 [[nodiscard]] std::string_view name(AxisQuantity quantity);
@@ -99,7 +102,8 @@ struct MapAxis {
   /// Every place of a branch is the same.
   [[nodiscard]] bool is_discrete() const {
     return quantity == AxisQuantity::burmester_point || quantity == AxisQuantity::nothing ||
-           quantity == AxisQuantity::layer;
+           quantity == AxisQuantity::layer || quantity == AxisQuantity::fitted_curve ||
+           quantity == AxisQuantity::realisation;
   }
   /// The branch on which a coordinate lies.
   [[nodiscard]] AxisStretch stretch_around(double coordinate) const;

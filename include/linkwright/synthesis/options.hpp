@@ -6,6 +6,7 @@
 
 #include "linkwright/core/result.hpp"
 #include "linkwright/loads/loads.hpp"
+#include "linkwright/planar/fitted_path.hpp"
 #include "linkwright/planar/six_bar_synthesis.hpp"
 #include "linkwright/region/best_cells.hpp"
 #include "linkwright/region/map_axis.hpp"
@@ -39,6 +40,7 @@ struct SynthesisOptions {
   int effort = default_effort;  ///< how many of them are tried, ≥ 1
 
   LineMeasuring line;  ///< of straight lines
+  FitWishes fit;       ///< of paths that pass near points
 
   std::optional<Tolerances> tolerances;  ///< how linkages are made; nothing: exactly
   bool measure_yields = true;            ///< of the map's cells, even where nothing asks for them

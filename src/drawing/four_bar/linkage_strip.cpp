@@ -121,6 +121,8 @@ std::string_view place_name(const FourBarFamily& family) {
       return "ground pivot, x and y";
     case AxisQuantity::circle_x:
       return "moving pivot, x and y";
+    case AxisQuantity::realisation:
+      return "path, and which of its four-bars";
     case AxisQuantity::arm_difference:
       return "sum and difference of the arm, u and v";
     case AxisQuantity::center_on_line:
@@ -154,9 +156,12 @@ void add_motion_checks(NumberRows& checks, const FourBarAnswer& answer) {
                            small_angle(found.pose_error->angle)));
   else
     add_place(checks, answer);
-  checks.row("relative error at the positions",
-             fmt::format("{}{}", significant_text(found.residual, 2),
-                         found.verified_by_driving ? ", verified by simulation" : ""));
+  const std::string_view verified = found.verified_by_driving ? ", verified by simulation" : "";
+  if (found.fit)
+    checks.row("points from the path, mean square",
+               fmt::format("{} %{}", significant_text(100 * found.fit->error.rms_over_diagonal, 2), verified));
+  else
+    checks.row("relative error at the positions", fmt::format("{}{}", significant_text(found.residual, 2), verified));
 }
 
 void add_function_checks(NumberRows& checks, const FourBarAnswer& answer, const FunctionError& error) {

@@ -55,7 +55,7 @@ bool is_curve_expected(const MotionTask& task) {
 
 bool is_curve_expected(const FunctionTask& task) { return position_count(task.pairs) == 4; }
 
-bool is_curve_expected(const PathTask& task) { return position_count(task.points) == 4; }
+bool is_curve_expected(const PathTask& task) { return !task.is_approximate() && position_count(task.points) == 4; }
 
 void visit_curve(FieldVisitor& v, const FourBarAnswer& answer) {
   const BurmesterCurve* curve = answer.given.curve.get();

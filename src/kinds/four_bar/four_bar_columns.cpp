@@ -28,7 +28,7 @@ void list_columns(LinkageColumns& list, const FunctionTask& /*task*/) {
   list_function(list);
 }
 
-void list_columns(LinkageColumns& list, const PathTask& /*task*/) {
+void list_columns(LinkageColumns& list, const PathTask& task) {
   add_four_bar(list);
   list.lengths({{"point_to_input", "From the point to the moving pivot of the input"},
                 {"point_to_output", "From the point to the moving pivot of the output"}});
@@ -38,6 +38,11 @@ void list_columns(LinkageColumns& list, const PathTask& /*task*/) {
   list.length("position_error", "By driving: largest distance of the point from where it is to be");
   list.angle("timing_error_deg", "By driving: largest turn of the crank to where the point is nearest");
   list.number("cognate.size_ratio", "", "Crank of the cognate over this one");
+  if (!task.is_approximate()) return;
+  list.length("fit.error.rms", "Root mean square distance of the points from the path");
+  list.length("fit.error.max", "Largest distance of a point from the path");
+  list.number("fit.error.rms_over_diagonal", "", "Root mean square distance over the diagonal of the points");
+  list.length("fit.error.excursion", "Largest distance of the path between the points from the polygon through them");
 }
 
 }  // namespace linkwright

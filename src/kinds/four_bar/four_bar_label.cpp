@@ -177,10 +177,13 @@ std::string given_words(const PathTask& task) {
 }  // namespace
 
 std::string label_of(const PathTask& task) {
+  if (task.is_approximate())
+    return fmt::format("{} near {} points", task.closed ? "closed path" : "path", task.points.size());
   return fmt::format("path through {} {} ({})", positions_text(position_count(task.points)), given_words(task),
                      pattern(task.points));
 }
 std::string short_label_of(const PathTask& task) {
+  if (task.is_approximate()) return label_of(task);
   return fmt::format("path through {}", positions_text(position_count(task.points)));
 }
 
@@ -203,6 +206,10 @@ Words arm_axis_words(const PathTask& task, AxisQuantity quantity, std::string_vi
       return {"one of the linkages", "Linkage, by its number", "1"};
     case AxisQuantity::nothing:
       return {"nothing is free", "", "1"};
+    case AxisQuantity::fitted_curve:
+      return {"one of the nearest paths", "Path, by its number", "1"};
+    case AxisQuantity::realisation:
+      return {"one of the four-bars with the same path", "Four-bar with this path", "1"};
     default:
       return {"input link, coordinate on its curve", "Input link, τ", "tau"};
   }

@@ -51,7 +51,21 @@ bool serves(const MotionAnswer& known, const Problem& /*before*/, const Problem&
   return !known.task.given;  // what is given may leave a length, which is chosen by the requirements
 }
 
-bool serves(const PathAnswer& known, const Problem& /*before*/, const Problem& /*now*/) {
+namespace {
+
+// What a fit keeps to.
+bool is_fitted_alike(const Problem& a, const Problem& b) {
+  const Requirements &one = a.requirements, &other = b.requirements;
+  return one.max_length == other.max_length && one.min_length == other.min_length &&
+         one.max_link_ratio == other.max_link_ratio && one.min_transmission_angle == other.min_transmission_angle &&
+         one.ground_pivots_within == other.ground_pivots_within &&
+         one.moving_pivots_within == other.moving_pivots_within && a.options.fit == b.options.fit;
+}
+
+}  // namespace
+
+bool serves(const PathAnswer& known, const Problem& before, const Problem& now) {
+  if (known.task.is_approximate()) return is_fitted_alike(before, now);
   return known.family() == nullptr || known.family()->axis(Side::input).layers == 0;  // of layers requirements choose
 }
 

@@ -23,8 +23,9 @@ std::string_view region_heading(const LinkageFamily* family) {
   if (family != nullptr && family->axis(Side::input).layers > 0)
     return "Solution region: every point is the best of its place";
   if (is_board(family))
-    return is_ribbon(family) ? "Solution region: every cell is one four-bar"
-                             : "Solution region: every cell is a pair of dyads";
+    return is_ribbon(family) || family->axis(Side::output).quantity == AxisQuantity::realisation
+               ? "Solution region: every cell is one four-bar"
+               : "Solution region: every cell is a pair of dyads";
   return is_ribbon(family) ? "Solution region: every value is one four-bar"
                            : "Solution region: every point is one four-bar";
 }

@@ -1,3 +1,4 @@
+#include "core/number_check.hpp"
 #include "files/fields/forms.hpp"
 #include "files/problem_fields.hpp"
 #include "files/vocabulary.hpp"
@@ -34,6 +35,10 @@ static void fields(FieldVisitor& v, PathPoint& point) {
                       "travel through the point, then its curvature, ….")
                     .written(!point.derivatives.empty()),
                 point.derivatives, list);
+    to.given(Field("tolerance", "Paths that pass near: how far from it, instead of the task's."), point.tolerance,
+             forms::length);
+    to.given(Field("weight", "Paths that pass near: of the squared distance; 1 where it is left out."), point.weight,
+             Number{.least = 0, .most = largest_coordinate});
   });
 }
 
@@ -73,22 +78,33 @@ void fields(FieldVisitor& v, PathTask& task) {
   const Wanted missing = {"points_in_full", "a list of points {\"x\": …, \"y\": …, \"input_deg\": …}"};
   const List points = {
       .what = {"path_points", "a list of points"},
-      .most_read = most_positions_looked_at,
+      .most_read = PathTask::most_points,
       .code = "path_point_count",
-      .sentence = "{count} points are given; five positions are the most that can be solved, remove the others",
+      .sentence = "{count} points are given; {most} are the most that a path is fitted to, remove the others",
       .on_lines = true};
   const Object described = {
       "path_task",
       "Path generation: a point of the coupler passes places in this order: four or five at given angles of the crank; "
       "three with angles of crank or coupler and two without, or four and one; or from given ground pivots, or from "
       "one that is searched for in options.box. A point counts as one position, and as one more for each of its "
-      "derivatives.",
+      "derivatives. Or it passes as near as it can to three to 1000 points: where one of closed, tolerance and weight "
+      "is "
+      "given, or more than five points and nothing else.",
       true};
   v.object(described, [&](FieldVisitor& to) {
     to.constant("kind", "path");
     to.constant("mechanism", "four_bar");
     to.required(Field("points").missing(missing), task.points, points);
     given_field(to, task.pivots);
+    to.optional(
+        Field("closed",
+              "The path passes near its points, from the last one on to the first, by an input that turns fully.")
+            .written(task.closed),
+        task.closed);
+    to.given(Field("tolerance", "The path passes near its points: how far from each without a tolerance of its own."),
+             task.tolerance, forms::length);
+    to.given(Field("between", "The path passes near its points; between them it is free, or keeps to the polyline."),
+             task.between, Names<PathBetween>{{PathBetween::free, PathBetween::polyline}});
   });
 }
 

@@ -330,6 +330,10 @@ export interface PathPoint {
   theta_deg?: number;
   /** First, second, … derivatives by any parameter that increases along the task: the direction of travel through the point, then its curvature, …. */
   derivatives?: readonly PathDerivative[];
+  /** Paths that pass near: how far from it, instead of the task's. */
+  tolerance?: number;
+  /** Paths that pass near: of the squared distance; 1 where it is left out. */
+  weight?: number;
 }
 /** Of both links, or of one of them. */
 export interface PathGroundPivots {
@@ -346,6 +350,10 @@ export interface PathTask {
   points: readonly PathPoint[];
   /** One ground pivot with five positions or with three at given angles of the crank; both with three or five, or with three at given angles of the crank. */
   given?: PathGiven;
+  /** The path passes near its points, from the last one on to the first, by an input that turns fully. */
+  closed?: boolean;
+  /** The path passes near its points: how far from each without a tolerance of its own. */
+  tolerance?: number;
 }
 /** What the linkage is for. */
 export type Task = MotionTask | FunctionTask | SixBarTask | SphericalMotionTask | SphericalFunctionTask | StraightLineTask | PathTask;
@@ -622,15 +630,23 @@ export interface Loads {
   /** Of the travel of each linkage of a map, the positions among them. */
   stations?: number;
 }
+export interface Fit {
+  /** How many places and starts are tried. */
+  effort?: "quick" | "standard" | "deep";
+  /** What is least: the squares of the distances, or the largest distance. */
+  measure?: "least_squares" | "least_largest";
+  /** Closed paths: by how much the longest and the shortest link are shorter than the other two together, at least, over the diagonal of the points; null: any linkage. */
+  grashof_margin?: number | null;
+}
 export interface Options {
   /** N of the N × N region. */
   region_samples?: number;
   /** Even steps of the curve coordinate, or of the length run by circle and centre point. */
   spacing?: "coordinate" | "arc_length";
   /** What the best linkages have: the largest least transmission angle, the smallest link ratio, the smallest longest link, the smallest structural error of a named function, of spherical linkages the largest least link angle, or with tolerances the smallest error by them or the largest yield. */
-  objective?: "min_transmission_angle" | "link_ratio" | "size" | "structural_error" | "link_angle" | "stroke" | "deviation" | "velocity_uniformity" | "tolerance_error" | "yield" | "hand_force" | "hold_open" | "pin_force" | "torque";
+  objective?: "min_transmission_angle" | "link_ratio" | "size" | "structural_error" | "link_angle" | "stroke" | "deviation" | "velocity_uniformity" | "tolerance_error" | "yield" | "hand_force" | "hold_open" | "pin_force" | "torque" | "path_error";
   /** Two objectives of the map: linkages that no other beats in both are listed, instead of the best by one. */
-  pareto?: readonly ["min_transmission_angle" | "link_ratio" | "size" | "structural_error" | "link_angle" | "stroke" | "deviation" | "velocity_uniformity" | "tolerance_error" | "yield" | "hand_force" | "hold_open" | "pin_force" | "torque", "min_transmission_angle" | "link_ratio" | "size" | "structural_error" | "link_angle" | "stroke" | "deviation" | "velocity_uniformity" | "tolerance_error" | "yield" | "hand_force" | "hold_open" | "pin_force" | "torque"] | null;
+  pareto?: readonly ["min_transmission_angle" | "link_ratio" | "size" | "structural_error" | "link_angle" | "stroke" | "deviation" | "velocity_uniformity" | "tolerance_error" | "yield" | "hand_force" | "hold_open" | "pin_force" | "torque" | "path_error", "min_transmission_angle" | "link_ratio" | "size" | "structural_error" | "link_angle" | "stroke" | "deviation" | "velocity_uniformity" | "tolerance_error" | "yield" | "hand_force" | "hold_open" | "pin_force" | "torque" | "path_error"] | null;
   /** How many linkages the result lists. */
   best?: number;
   /** Straight lines: half the width of the strip in which the usable length counts; null: 1/10 000 of the longest link or arm. */
@@ -639,6 +655,8 @@ export interface Options {
   stroke?: number | null;
   /** Straight lines: usable by the line itself, or by the best strip beside it. */
   measure?: "tangent" | "strip";
+  /** Paths that pass near points. */
+  fit?: Fit;
   /** Six-bars without a chain: where all pivots lie in position 1. Paths of five points and nothing else given: where the input's ground pivot is searched for. */
   box?: Box | null;
   /** Of the chains, or places, tried. */

@@ -47,7 +47,7 @@ export interface CurveKinds {
   /** Of the two curves as (point, direction), where they have one. */
   asymptotes: Asymptotes | null;
 }
-export const axis_quantities = ["curve_coordinate","burmester_point","side_direction","side_length","output_scale","pair_output","nothing","link_direction","link_ray","point_ray","pole_height","pivot_height","frame_height","pivot_distance","output_arm","link_length","crank_length","point_arm","crank_range","center_x","center_y","circle_x","circle_y","center_on_line","circle_on_line","arm_reach","arm_difference","layer"] as const;
+export const axis_quantities = ["curve_coordinate","burmester_point","side_direction","side_length","output_scale","pair_output","nothing","link_direction","link_ray","point_ray","pole_height","pivot_height","frame_height","pivot_distance","output_arm","link_length","crank_length","point_arm","crank_range","center_x","center_y","circle_x","circle_y","center_on_line","circle_on_line","arm_reach","arm_difference","layer","fitted_curve","realisation"] as const;
 export type AxisQuantity = (typeof axis_quantities)[number];
 export interface Branch {
   name: string;

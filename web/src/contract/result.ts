@@ -384,6 +384,42 @@ export interface Swapped {
   /** Over the task; null with a defect. */
   min_transmission_angle_deg: number | null;
 }
+/** Of the points from the path, user's unit. */
+export interface PathError {
+  /** Weighted. */
+  sum_of_squares: number;
+  /** Root of the weighted mean of the squares. */
+  rms: number;
+  max: number;
+  /** At which point, from 1. */
+  max_at: number;
+  rms_over_diagonal: number;
+  /** Largest distance of the path between the points from the polygon through them. */
+  excursion: number;
+  /** Length of the path over that of the polygon. */
+  path_length_ratio: number;
+}
+export interface NearestToPoint {
+  /** From 1. */
+  point: number;
+  /** Turn of the input from position 1. */
+  input_deg: number;
+  /** Of the path, fixed frame. */
+  place: readonly [number, number];
+  distance: number;
+}
+export interface PathFit {
+  error: PathError;
+  /** At all points that have one. */
+  within_tolerance: boolean;
+  /** Points that are farther off than their tolerance, from 1. */
+  outside: readonly number[];
+  /** Its longest link is as long as is allowed: longer ones may come nearer. */
+  at_length_limit: boolean;
+  /** Where the linkage is nearest to each point. */
+  at: readonly NearestToPoint[];
+  realisations: readonly object[];
+}
 export interface FourBar {
   mechanism: "four_bar";
   input: Dyad;
@@ -425,6 +461,8 @@ export interface FourBar {
   theta_deg_at_points?: readonly number[];
   /** Paths at given angles of the crank. */
   cognate?: TimedCognate;
+  /** Paths that pass near points: how near. */
+  fit?: PathFit;
   /** Paths with points at which no angle is given: on which side of the line from the arm's ground pivot to each of them its elbow stands, + left or - right, and which of the further dyads. */
   elbows?: string;
   /** Paths: the crank turns fully, so that the path is closed. */

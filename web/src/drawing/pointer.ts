@@ -213,6 +213,7 @@ class Pointer {
     const {workbench} = this.bench;
     const box = box_names.find((name) => workbench.mode === `${name}_box`);
     if (box) return rubber_drag(this.bench, box, from);
+    if (workbench.mode === "draw") return this.bench.scene.stroke(from) ?? pan_drag(this.bench, from);
     if (workbench.mode === "scale" && !taken) return picture_drag(this.bench, from) ?? pan_drag(this.bench, from);
     switch (taken?.kind) {
       case "disc":

@@ -32,6 +32,7 @@ import {anchors_of, kind_of} from "../kinds/kind_dispatch";
 import {mistake_sentence} from "../task_panel/mistakes";
 import type {TaskView} from "../kinds/view";
 import {near, task_points, useful_pivots} from "./fit";
+import type {Drag} from "./drags/drag";
 import type {Guide} from "./snapping";
 import {Plane} from "./space";
 import {surface_key, type Note, type Surface} from "./surface";
@@ -78,7 +79,7 @@ export class Scene implements Surface {
 
   constructor(
     readonly workbench: Workbench,
-    private readonly kind: (task: Task) => Pick<TaskView, "mechanism" | "handles" | "with_clicked">,
+    private readonly kind: (task: Task) => Pick<TaskView, "mechanism" | "handles" | "with_clicked" | "stroke">,
   ) {
     this.instants = new Question(workbench.questions, {follows: true}); // a frame of the animation is shorter than an answer may take
   }
@@ -235,6 +236,11 @@ export class Scene implements Surface {
   with_clicked(at: Point): Problem | null {
     const {problem} = this.workbench;
     return this.kind(problem.task).with_clicked?.(problem, at) ?? null;
+  }
+
+  /** What a pointer draws that is pressed at a place of the screen; null: the task is not drawn. */
+  stroke(from: Point): Drag | null {
+    return this.kind(this.workbench.problem.task).stroke?.(this, from) ?? null;
   }
 
   // ---- gestures -----------------------------------------------------------------------------------------------

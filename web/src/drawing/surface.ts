@@ -22,6 +22,8 @@ export interface Desk {
   /** The engine's answer to the task. */
   readonly task: TaskAnswer | null;
   readonly refusal: readonly Mistake[] | null;
+  /** What a press on the drawing does. */
+  mode: Workbench["mode"];
   begin_gesture(): void;
   /** A change inside of a gesture. */
   drag(change: (problem: Problem) => Problem): void;

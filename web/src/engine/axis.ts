@@ -5,6 +5,7 @@ import {
   type Axes,
   type Axis,
   type AxisBlock,
+  type AxisQuantity,
   type Branch,
   type Picked,
   type Point,
@@ -50,8 +51,9 @@ export function has_burmester_curve({curves}: TaskAnswer): boolean {
 
 /** Every place of a block is the same: one row or column of the map to each. */
 export function is_discrete({quantity}: Axis): boolean {
-  return quantity === "burmester_point" || quantity === "nothing" || quantity === "layer";
+  return discrete.includes(quantity);
 }
+const discrete: readonly AxisQuantity[] = ["burmester_point", "nothing", "layer", "fitted_curve", "realisation"];
 /** The side along whose axis a grounded link moves: where its own leaves nothing to choose, the other's. */
 export function moving_side(axes: Axes, side: Side): Side {
   const other = side === "input" ? "output" : "input";

@@ -166,7 +166,9 @@ export interface TaskKind<T extends Task = Task> {
   objectives: Partial<Record<Objective, ObjectiveDescription<T>>>;
   analysed?: Analysed;
   /** Where the file is silent; none: the transmission angle. */
-  default_objective?: Objective;
+  default_objective?: Objective | ((task: T) => Objective);
+  /** What is asked in its place while a hand moves, where its own answer would keep it waiting. */
+  hurried?(problem: Problem): Problem;
   /** The fixed frame seen from elsewhere: points by `point`; poses are the frame's matter. */
   moved(task: T, point: (p: Point) => Point): T;
   /** What all its linkages are, a text's key, where it is the task that says so; otherwise a linkage is called by its type. */

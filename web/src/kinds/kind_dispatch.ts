@@ -157,7 +157,12 @@ export function objectives_of(problem: Asked): Objective[] {
   return keys_of(criteria_of(kind_of(problem.task)).objectives, problem);
 }
 export function objective_of({task, options}: Problem): Objective {
-  return options?.objective ?? kind_of(task).default_objective ?? "min_transmission_angle";
+  const usual = kind_of(task).default_objective ?? "min_transmission_angle";
+  return options?.objective ?? (typeof usual === "function" ? usual(task) : usual);
+}
+/** What is asked of the engine while a hand moves. */
+export function hurried(problem: Problem): Problem {
+  return kind_of(problem.task).hurried?.(problem) ?? problem;
 }
 /** What the objective is measured by, where the map has it. */
 export function measure_of(problem: Problem): Property {

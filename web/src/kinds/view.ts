@@ -1,5 +1,6 @@
 // What a kind of task shows and lets take hold of: the frame has a place for each.
 import type {Component} from "svelte";
+import type {Drag} from "../drawing/drags/drag";
 import type {Handle} from "../drawing/handles";
 import type {Surface} from "../drawing/surface";
 import type {ExportFormat, Linkage, MachineFormat, Point, RequirementKey, Requirements} from "../contract/messages";
@@ -43,6 +44,8 @@ export interface TaskView {
   handles?(surface: Surface): Handle[];
   /** With what a click on the canvas adds to a task that lacks some of it; null: it lacks nothing. Of poses the frame does so. */
   with_clicked?(problem: Problem, at: Point): Problem | null;
+  /** What a pointer does that is pressed on the drawing while one draws (the mode "draw"). */
+  stroke?(surface: Surface, from: Point): Drag | null;
   /** Over the drawing: it places itself. */
   Inset?: Component;
 

@@ -23,6 +23,10 @@ export function place_text(axis: Axis, side: Side, tau: number, digits = 4): str
       return t("axis.point", {n: Math.floor(tau) + 1});
     case "layer":
       return t("axis.linkage", {n: Math.floor(tau) + 1});
+    case "fitted_curve":
+      return t("axis.path", {n: Math.floor(tau) + 1});
+    case "realisation":
+      return t("axis.realisation", {n: Math.floor(tau) + 1});
     case "side_direction":
       return `β${lower[side]} ${degrees_text(value_at(axis, tau, (a, b, share) => a + share * (b - a)))}`;
     case "pair_output":

@@ -1,6 +1,6 @@
 // What stands along a map axis: names of its blocks, numbers, ∞ marks, poles, nodes, in pixels.
 import type {Axis, AxisQuantity, Branch, Side, Special} from "../contract/messages";
-import {place_of} from "../engine/axis";
+import {is_discrete, place_of} from "../engine/axis";
 import {significant} from "../texts/numbers";
 import type {TermName} from "../terms/pictures";
 import {t, type TextKey} from "../texts/texts.svelte";
@@ -98,8 +98,10 @@ export function block_text(axis: Axis, index: number, say: Say): string {
     name = axis.branches[branch]?.name ?? "range";
   const layer = layers[name];
   if (layer && axis.branches.length > 1) return t(layer);
-  if (axis.quantity === "nothing" || unnamed.includes(name) || name === axis.quantity) return "";
-  if (axis.quantity === "burmester_point" || axis.quantity === "layer") return String(branch + 1);
+  if (axis.quantity === "nothing") return "";
+  if (axis.quantity === "realisation") return t("axis.realisation", {n: branch + 1});
+  if (is_discrete(axis)) return String(branch + 1);
+  if (unnamed.includes(name) || name === axis.quantity) return "";
   if (sheets[name]) return t("axis.sheet", {n: sheets[name]});
   if (name.startsWith("direction_")) return t("axis.direction", {n: branch + 1});
   if (axis.branches.length === 1 && halves.length === 2)
@@ -120,7 +122,7 @@ export function axis_bars(axis: Axis, side: Side, scale: Scale, unit: string, sa
   const key = quantity_texts[axis.quantity],
     of = side === "input" ? "₁" : "₂";
   const quantity = key ? [t(key, {of, unit}).trim()] : [],
-    step = axis.quantity === "layer" ? numbered_every(axis, scale) : 1;
+    step = axis.quantity === "layer" || axis.quantity === "fitted_curve" ? numbered_every(axis, scale) : 1;
   return scale.pieces.map(({start, end, block}) => {
     const name = (block + 1) % step === 0 ? block_text(axis, block, say) : "",
       branch = branch_of(axis, block);

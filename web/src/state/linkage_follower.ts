@@ -4,7 +4,7 @@ import type {Linkage, Mistake, Picked, Replies, TauPair} from "../contract/messa
 import {Question} from "../questions/question.svelte";
 import type {Questions} from "../questions/questions";
 import type {Answers} from "./answers.svelte";
-import {gives_linkage} from "../kinds/kind_dispatch";
+import {gives_linkage, hurried} from "../kinds/kind_dispatch";
 import {same_linkage, same_tau, type TaskDocument, type LinkageOf} from "./document";
 import {engine_text, same_question, type Problem} from "./problem";
 import {sharing} from "./sharing";
@@ -84,7 +84,8 @@ export class LinkageFollower {
     const {tau_in_hand: tau, document, answers, driver_client} = this.followed;
     if (!tau || !driver_client) return answers.forget_hand();
     const request = async () => {
-      const {linkage} = await driver_client.follow("linkage", {problem: engine_text(problem), tau});
+      const asked = this.followed.gesture ? hurried(problem) : problem,
+        {linkage} = await driver_client.follow("linkage", {problem: engine_text(asked), tau});
       return same_tau(this.followed.tau_in_hand, tau) ? linkage : null;
     };
     await answers.held.ask({problem, tau}, request, {
@@ -116,7 +117,8 @@ export class LinkageFollower {
     if (!this.wants_live) return along.forget();
     const of = {problem, tau};
     await along.ask(of, async () => {
-      const live = await driver_client.follow("live", {problem: engine_text(problem), tau});
+      const asked = this.followed.gesture ? hurried(problem) : problem,
+        live = await driver_client.follow("live", {problem: engine_text(asked), tau});
       this.live_ms = live.engine_ms;
       return live;
     });

@@ -12,7 +12,7 @@ import {
 } from "../contract/messages";
 import type {Questions} from "../questions/questions";
 import type {Answers} from "./answers.svelte";
-import {property_of, sampled_properties} from "../kinds/kind_dispatch";
+import {hurried, property_of, sampled_properties} from "../kinds/kind_dispatch";
 import {settled_on, type TaskDocument} from "./document";
 import {engine_text, same_question, type Problem} from "./problem";
 import {sharing} from "./sharing";
@@ -102,7 +102,7 @@ export class MapFollower {
   private async explore(samples: number): Promise<void> {
     const {document, window, engine, engine_state, gesture, property, answers} = this.mapped;
     if (!engine || engine_state === "missing") return;
-    const problem = engine_text(document.problem);
+    const problem = engine_text(gesture ? hurried(document.problem) : document.problem);
     const question = (order: number | null) => JSON.stringify([problem, window, property, order]);
     const asked = question(document.order);
     if (asked === this.asked && samples <= this.asked_samples) return this.refine();

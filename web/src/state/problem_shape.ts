@@ -159,6 +159,7 @@ const option_checks: Record<string, Check> = {
   deviation: or_null(is_between(0, 1e12)),
   stroke: or_null(is_between(0, 1e12)),
   measure: is_one_of(["tangent", "strip"]),
+  fit: is_object,
 };
 /** The members that are right. One that is not known here belongs to a later version: the engine reads it. */
 function sound(value: unknown, checks: Record<string, Check>): JsonObject | undefined {

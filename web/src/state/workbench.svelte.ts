@@ -53,7 +53,7 @@ import {same_task, same_value} from "./task";
 import {WayOutSeeker} from "./way_out.svelte";
 import {after_change, with_toast, type Toast} from "./toasts";
 
-export type Mode = "point" | "outline" | "ground_box" | "moving_box" | "search_box" | "trace" | "scale";
+export type Mode = "point" | "outline" | "ground_box" | "moving_box" | "search_box" | "trace" | "scale" | "draw";
 /** What stands below the map; else an analysis's card, by its id. */
 export const below_kinds = ["numbers", "best"] as const;
 export type Sheet = "task" | "limits" | "pins" | "numbers" | "map";

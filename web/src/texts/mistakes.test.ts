@@ -267,6 +267,7 @@ const texts = [...files, ...Object.entries(further).map(([name, text]) => ({name
 
 /** Sentences that no text provokes: what JSON cannot say or a reader catches, and what the page finds itself. */
 const unprovoked = [
+  "too_many_near_points",
   "not_available",
   "limits_finite",
   "axis_finite",

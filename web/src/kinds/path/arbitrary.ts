@@ -31,5 +31,9 @@ const posed_point = record<PathPoint>(
   {theta_deg: number(), ...rates_of(record<PathRate>(direction, {theta: number()}))},
 );
 const posed_task = record<PathTask>({...kind, points: points_of(posed_point)});
-export const arbitrary_task = fc.oneof(timed_task, untimed_task, posed_task);
+const near_task = record<PathTask>(
+  {...kind, points: points_of(record<PathPoint>(direction, {tolerance: number(), weight: number()}))},
+  {closed: fc.boolean(), tolerance: number(), between: fc.constantFrom("free" as const, "polyline" as const)},
+);
+export const arbitrary_task = fc.oneof(timed_task, untimed_task, posed_task, near_task);
 export const arbitrary_requirements = {full_turn: fc.boolean()};

@@ -1,6 +1,6 @@
 // A point of a four-bar's coupler passes places, at given angles of the crank or about given ground pivots.
 import type {Point, Requirements, Side} from "../../contract/messages";
-import type {Problem} from "../../state/problem";
+import {length_levels, type Problem} from "../../state/problem";
 import {is_number, is_object, is_pair, read_list, type JsonObject} from "../../state/shape";
 import {diagonal_of, pattern_of} from "../../state/task";
 import {significant} from "../../texts/numbers";
@@ -11,11 +11,44 @@ import type {TaskKind} from "../kind";
 import {planar_objectives, planar_properties, planar_requirements, planar_types} from "../planar";
 import {layer_at} from "./layers";
 import {incompleteness} from "./missing";
-import {angle_counts, angle_key, angle_of, angle_signs, given_sides, is_path, pivots_of, place_of} from "./task";
+import {with_quick_fit} from "./near";
+import {
+  angle_counts,
+  angle_key,
+  angle_of,
+  angle_signs,
+  form_of,
+  given_sides,
+  is_near,
+  is_path,
+  pivots_of,
+  place_of,
+} from "./task";
 import type {GroundPivots, PathPoint, PathRate, PathTask} from "./task";
 
 const most_points = 10_000,
   most_rates = 4;
+const most_positions = 5, // of a path that passes near its points the drive stops at some
+  usual_error = 0.02; // of its size
+/** mm. */
+const bean_outline: readonly Point[] = [
+  [-1, 64],
+  [28, 74],
+  [62, 77],
+  [98, 70],
+  [125, 51],
+  [135, 22],
+  [129, -8],
+  [106, -26],
+  [80, -17],
+  [54, -9],
+  [27, -3],
+  [-2, 1],
+  [-27, 5],
+  [-44, 18],
+  [-36, 37],
+  [-21, 51],
+];
 
 function read_rate(value: unknown): PathRate | null {
   if (!is_object(value) || !is_number(value.x) || !is_number(value.y)) return null;
@@ -24,7 +57,7 @@ function read_rate(value: unknown): PathRate | null {
 }
 function read_point(value: unknown): PathPoint | null {
   if (!is_object(value) || !is_number(value.x) || !is_number(value.y)) return null;
-  const {x, y, input_deg, theta_deg} = value,
+  const {x, y, input_deg, theta_deg, tolerance, weight} = value,
     derivatives = read_list(value.derivatives, read_rate, most_rates);
   if (input_deg !== undefined && !is_number(input_deg)) return null;
   if (theta_deg !== undefined && !is_number(theta_deg)) return null;
@@ -34,6 +67,8 @@ function read_point(value: unknown): PathPoint | null {
     ...(input_deg === undefined ? {} : {input_deg}),
     ...(theta_deg === undefined ? {} : {theta_deg}),
     ...(derivatives?.length ? {derivatives} : {}),
+    ...(is_number(tolerance) ? {tolerance} : {}),
+    ...(is_number(weight) ? {weight} : {}),
   };
 }
 function read_pivots(value: unknown): GroundPivots | null {
@@ -46,13 +81,21 @@ function read_pivots(value: unknown): GroundPivots | null {
 }
 function read(value: JsonObject): PathTask | null {
   const points = read_list(value.points, read_point, most_points),
-    ground_pivots = read_pivots(value.given);
-  return value.kind === "path" && value.mechanism === "four_bar" && points
-    ? {kind: "path", mechanism: "four_bar", points, ...(ground_pivots ? {given: {ground_pivots}} : {})}
-    : null;
+    ground_pivots = read_pivots(value.given),
+    {closed, tolerance, between} = value;
+  if (value.kind !== "path" || value.mechanism !== "four_bar" || !points) return null;
+  return {
+    kind: "path",
+    mechanism: "four_bar",
+    points,
+    ...(ground_pivots ? {given: {ground_pivots}} : {}),
+    ...(typeof closed === "boolean" ? {closed} : {}),
+    ...(between === "free" || between === "polyline" ? {between} : {}),
+    ...(is_number(tolerance) ? {tolerance} : {}),
+  };
 }
 
-function new_problem(beside: Pick<PathTask, "points" | "given">, wanted: Requirements): Problem {
+function new_problem(beside: Pick<PathTask, "points" | "given" | "closed">, wanted: Requirements): Problem {
   const problem: Problem = {
     linkwright: 1,
     title: "",
@@ -107,6 +150,11 @@ function walking_leg(): Problem {
   const given = {ground_pivots: {input: [0, 0] as const, output: [190, -66] as const}};
   return new_problem({points, given}, {full_turn: true, min_transmission_angle_deg: 30});
 }
+/** As one draws it by hand: round, with a dent. */
+function bean(): Problem {
+  const points = bean_outline.map(([x, y]) => ({x, y}));
+  return new_problem({points, closed: true}, {min_transmission_angle_deg: 20});
+}
 function anchors(task: PathTask): Point[] {
   return [...task.points.map(place_of), ...Object.values(pivots_of(task))];
 }
@@ -126,8 +174,9 @@ function table(task: PathTask, unit: string): {head: string[]; rows: string[][]}
     rows: task.points.map((point) => [point.x, point.y, ...(key ? [angle_of(point)] : [])].map(written)),
   };
 }
-/** The forms of the engine's maps: how many positions have angles, of which link, and which pivots are given. */
+/** The forms of the engine's maps: the nearest paths, or how many positions have angles, of which link, and which pivots are given. */
 function map_of(task: PathTask): string {
+  if (form_of(task) === "near") return "path near";
   const {angled, plain} = angle_counts(task);
   return ["path", angled, plain, angle_key(task) ?? "", ...given_sides(task)].join(" ");
 }
@@ -140,13 +189,26 @@ export const path_kind: TaskKind<PathTask> = {
   is: is_path,
   read,
   incompleteness,
-  stops: ({points}) => points.length,
+  stops: (task) => (is_near(task) ? Math.min(task.points.length, most_positions) : task.points.length),
   pattern: ({points}) => pattern_of(points),
   is_mixed: ({points}) => points.some(({derivatives}) => derivatives?.length),
   anchors,
   default_max_length,
   map_of,
-  properties: planar_properties,
+  properties: {
+    ...planar_properties,
+    path_error: {
+      is_of: is_near,
+      text: "region.by_path_error",
+      short: "region.short_path_error",
+      term: null,
+      larger_is_better: false,
+      requirement: null,
+      quantity: "length",
+      span: (_, typical) => [0, usual_error * typical],
+      levels: length_levels,
+    },
+  },
   types: planar_types,
   requirements: {
     types,
@@ -165,7 +227,12 @@ export const path_kind: TaskKind<PathTask> = {
       is_value: (value) => typeof value === "boolean",
     },
   },
-  objectives: planar_objectives,
+  objectives: {
+    path_error: {name: "req.objective.path_error", measure: "path_error", is_of: is_near},
+    ...planar_objectives,
+  },
+  default_objective: (task) => (is_near(task) ? "path_error" : "min_transmission_angle"),
+  hurried: with_quick_fit,
   analysed: {tolerances: path_making, loads: four_bar_loading},
   moved: (task, point) => ({
     ...task,
@@ -187,6 +254,7 @@ export const path_kind: TaskKind<PathTask> = {
     {id: "path_pivot", name: "new.path_pivot", about: "new.path_pivot_about", make: mixer_blade},
     {id: "path_poses", name: "new.path_poses", about: "new.path_poses_about", make: feeder},
     {id: "path_pivots", name: "new.path_pivots", about: "new.path_pivots_about", make: walking_leg},
+    {id: "path_near", name: "new.path_near", about: "new.path_near_about", make: bean},
   ],
   ...told_with_point(({path}) => path ?? null),
   at_place: ({path, tau}) =>

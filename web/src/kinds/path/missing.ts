@@ -2,7 +2,7 @@
 import {position_count} from "../../state/task";
 import type {TextKey} from "../../texts/texts.svelte";
 import type {Incomplete} from "../kind";
-import {angle_counts, angle_key, form_of, type PathTask} from "./task";
+import {angle_counts, angle_key, form_of, is_near, most_exact, type PathTask} from "./task";
 
 /** Null: it is complete. */
 export function incompleteness(task: PathTask): Incomplete | null {
@@ -11,6 +11,8 @@ export function incompleteness(task: PathTask): Incomplete | null {
       return counted(position_count(task.points), 4, 5, "state.too_few_points", "state.too_many_points", true);
     case "some":
       return of_some_angles(task);
+    case "near":
+      return of_near(task);
     default:
       return about_pivots(task);
   }
@@ -30,6 +32,12 @@ function counted(
   return n > most ? many(if_many, tells_count ? n : n - most) : null;
 }
 
+/** A path is fitted to three different points or more; five or fewer of an open one are passed exactly. */
+function of_near(task: PathTask): Incomplete | null {
+  const different = new Set(task.points.map(({x, y}) => `${x} ${y}`)).size;
+  if (different < 3) return few("state.path_few_near", 3 - different);
+  return is_near(task) ? null : few("state.path_near_exact", most_exact + 1 - task.points.length);
+}
 /** Three positions with angles go with two without, four with one. */
 function of_some_angles(task: PathTask): Incomplete | null {
   const {angled, plain} = angle_counts(task);
@@ -61,6 +69,8 @@ export function wanted_point(task: PathTask): "angled" | "plain" | null {
       return "angled";
     case "some":
       return angled < 3 ? (angled > 0 ? "angled" : plain < 5 ? "plain" : null) : "plain";
+    case "near":
+      return "plain";
     default:
       return angled && plain ? null : angled ? "angled" : "plain";
   }

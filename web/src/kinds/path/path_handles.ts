@@ -17,6 +17,9 @@ export const point_part = (index: number) => `point_${index + 1}`;
 export const turn_part = (index: number) => `turn_${index + 1}`;
 export const mark_part = (index: number) => `crank_${index + 1}`;
 
+/** Of more the others are moved by the list. */
+const most_held = 200;
+
 /** As the pivots of linkages are called, in whose place it is taken hold of. */
 export const pivot_part = (side: Side) => `pivot_${side}_center` as const;
 
@@ -24,7 +27,7 @@ export function path_handles(surface: Surface): Handle[] {
   const dial = dial_of(surface),
     task = path_task(surface.workbench.problem);
   return [
-    ...(task?.points ?? []).map((_, index) => point_handle(surface, index)),
+    ...(task?.points ?? []).slice(0, most_held).map((_, index) => point_handle(surface, index)),
     ...(task?.points ?? []).flatMap((point, index) => turn_handle(surface, point, index) ?? []),
     ...(task ? given_sides(task) : []).map((side) => pivot_handle(surface, side)),
     ...(dial?.marks.map((mark) => mark_handle(surface, dial, mark)) ?? []),

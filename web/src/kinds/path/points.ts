@@ -4,9 +4,11 @@ import {round_step, with_options, with_task, type Problem} from "../../state/pro
 import {diagonal_of} from "../../state/task";
 import {multiple} from "../../drawing/snapping";
 import {without_unmet} from "../kind_dispatch";
+import {smoothed} from "./curve";
 import {angle_ahead, angle_between, evenly_timed, some_angled, with_angle_on, without_angle} from "./angles";
 import {wanted_point} from "./missing";
-import {angle_key, angle_of, form_of, given_sides, is_path, pivots_of, place_of} from "./task";
+import {near_task, exact_task} from "./near";
+import {angle_key, angle_of, form_of, given_sides, is_near, is_path, pivots_of, place_of} from "./task";
 import type {AngleKey, GroundPivots, PathForm, PathPoint, PathTask} from "./task";
 
 export function path_task({task}: Problem): PathTask | null {
@@ -18,11 +20,24 @@ export function points_of(problem: Problem): readonly PathPoint[] {
 function changed(problem: Problem, change: (task: PathTask) => PathTask): Problem {
   const task = path_task(problem);
   if (!task) return problem;
-  const edited = without_unmet(with_task(problem, change(task)));
+  const edited = fitting_options(without_unmet(with_task(problem, change(task))));
   return problem.options?.box && edited.task !== task ? with_options(edited, {box: undefined}) : edited; // of a file
 }
+/** What is said of how the nearest paths are found, and ranked, goes with such tasks only. */
+function fitting_options(problem: Problem): Problem {
+  const {options} = problem;
+  if (is_near(problem.task as PathTask) || form_of(problem.task as PathTask) === "near") return problem;
+  const by_error = options?.objective === "path_error";
+  return options?.fit || by_error
+    ? with_options(problem, {fit: undefined, ...(by_error ? {objective: undefined} : {})})
+    : problem;
+}
 export function with_points(problem: Problem, change: (points: readonly PathPoint[]) => readonly PathPoint[]): Problem {
-  return changed(problem, (task) => ({...task, points: change(task.points)}));
+  return changed(problem, (task) => ({
+    ...task,
+    ...(form_of(task) === "near" ? {closed: task.closed ?? false} : {}), // however few there will be
+    points: change(task.points),
+  }));
 }
 export function with_point(problem: Problem, index: number, change: Partial<PathPoint>): Problem {
   return with_points(problem, (points) => points.map((one, i) => (i === index ? {...one, ...change} : one)));
@@ -86,18 +101,23 @@ const usual_span_deg = 120;
 export function with_form(problem: Problem, form: PathForm, hand: Linkage | null): Problem {
   return changed(problem, (task) => {
     if (form_of(task) === form) return task;
-    if (form === "angles") return timed_task(task);
-    if (form === "some")
-      return {...without_pivots(task), points: some_angled(task.points, angle_key(task) ?? "theta_deg")};
-    const [side = "input"] = given_sides(task),
-      sides = form === "pivot" ? [side] : (["input", "output"] as const);
-    const stay = given_sides(task).length > 0; // with one pivot what goes with both
-    return {
-      ...task,
-      points: stay ? task.points : task.points.map(without_angle),
-      given: {ground_pivots: pivots_at(task, sides, hand)},
-    };
+    if (form === "near") return near_task(task);
+    if (form_of(task) === "near") return formed(exact_task(task), form, hand);
+    return formed(task, form, hand);
   });
+}
+function formed(task: PathTask, form: Exclude<PathForm, "near">, hand: Linkage | null): PathTask {
+  if (form === "angles") return timed_task(task);
+  if (form === "some")
+    return {...without_pivots(task), points: some_angled(task.points, angle_key(task) ?? "theta_deg")};
+  const [side = "input"] = given_sides(task),
+    sides = form === "pivot" ? [side] : (["input", "output"] as const);
+  const stay = given_sides(task).length > 0; // with one pivot what goes with both
+  return {
+    ...task,
+    points: stay ? task.points : task.points.map(without_angle),
+    given: {ground_pivots: pivots_at(task, sides, hand)},
+  };
 }
 function without_pivots({given: _, ...task}: PathTask): PathTask {
   return task;
@@ -144,3 +164,49 @@ export function with_pivot_of(problem: Problem, side: Side): Problem {
     return at ? {...task, given: {ground_pivots: {[side]: at}}} : task;
   });
 }
+
+// ---- near its points --------------------------------------------------------------------------------------------------
+
+/** A path that is to pass near these. */
+export function with_near_points(problem: Problem, places: readonly Point[], closed: boolean): Problem {
+  return changed(problem, (task) => ({
+    ...near_task(task),
+    closed,
+    points: places.map(([x, y]): PathPoint => ({x, y})),
+  }));
+}
+export function with_closed(problem: Problem, closed: boolean): Problem {
+  return changed(problem, (task) => ({...task, closed}));
+}
+export function with_between(problem: Problem, polyline: boolean): Problem {
+  return changed(problem, ({between: _, ...task}) => (polyline ? {...task, between: "polyline"} : task));
+}
+export function with_tolerance(problem: Problem, tolerance: number | null): Problem {
+  return changed(problem, ({tolerance: _, ...task}) => (tolerance === null ? task : {...task, tolerance}));
+}
+/** Of one point; null takes it off. */
+export function with_point_number(
+  problem: Problem,
+  index: number,
+  key: "tolerance" | "weight",
+  value: number | null,
+): Problem {
+  return with_points(problem, (points) =>
+    points.map((point, i) => {
+      if (i !== index) return point;
+      const {[key]: _, ...rest} = point;
+      return value === null ? rest : {...rest, [key]: value};
+    }),
+  );
+}
+/** The same points, made smooth: what each has of its own stays with it. */
+export function smoothed_points(problem: Problem): Problem {
+  return changed(problem, (task) => {
+    const places = smoothed(task.points.map(place_of), task.closed === true);
+    return {
+      ...task,
+      points: task.points.map((point, i) => ({...point, x: tidy(places[i]![0]), y: tidy(places[i]![1])})),
+    };
+  });
+}
+const tidy = (value: number) => Number(value.toPrecision(7));

@@ -4,6 +4,9 @@ import type {FourBar} from "../../contract/result";
 import type {CarriedPoint} from "../../figure/tracing";
 
 declare module "../../contract/messages" {
+  interface Properties {
+    path_error: number; // of paths near points: root mean square of their distances from it, user's unit
+  }
   interface Linkage {
     path?: FollowedPath | null; // of such tasks only; null: there is none
   }
@@ -15,4 +18,4 @@ export interface Layers {
 }
 export type FollowedPath = CarriedPoint &
   Layers &
-  Pick<FourBar, "input_deg_at_points" | "theta_deg_at_points" | "cognate" | "full_turn" | "circuit_order">;
+  Pick<FourBar, "input_deg_at_points" | "theta_deg_at_points" | "cognate" | "fit" | "full_turn" | "circuit_order">;

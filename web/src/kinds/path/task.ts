@@ -1,6 +1,6 @@
 // As the problem file has it.
 import type {Point, Side} from "../../contract/messages";
-import type {Task} from "../../state/task";
+import {position_count, type Task} from "../../state/task";
 
 /** By any parameter that rises along the task. `input`, radians of the crank: left out, the parameter is the crank's turn.
  *  `theta`, of the coupler: where its angle is given. Where no angle is, a direction of travel. */
@@ -17,6 +17,9 @@ export interface PathPoint {
   input_deg?: number;
   theta_deg?: number;
   derivatives?: readonly PathRate[];
+  /** Of paths that pass near: how far off in place of the task's, and how much its squared distance counts. */
+  tolerance?: number;
+  weight?: number;
 }
 /** Of one of the links, or of both. */
 export type GroundPivots = Partial<Record<Side, Point>>;
@@ -26,6 +29,12 @@ export interface PathTask extends Task {
   /** In the order in which they are passed. */
   points: readonly PathPoint[];
   given?: {ground_pivots: GroundPivots};
+  /** Given at all: the path is to pass near the points, true: and from the last on to the first. */
+  closed?: boolean;
+  /** Likewise: how far off at points without their own. */
+  tolerance?: number;
+  /** Likewise: between its points it keeps to the polygon through them. */
+  between?: "free" | "polyline";
 }
 
 export function is_path(task: Task): task is PathTask {
@@ -62,8 +71,8 @@ export function angle_counts({points}: Pick<PathTask, "points">): {angled: numbe
 
 // ---- forms ------------------------------------------------------------------------------------------------------------
 
-/** What is given beside the points: angles at all or some of them, or ground pivots. */
-export const path_forms = ["angles", "some", "pivot", "pivots"] as const;
+/** What is given beside the points: angles at all or some of them, or ground pivots; or the path is to be near them only. */
+export const path_forms = ["angles", "some", "pivot", "pivots", "near"] as const;
 export type PathForm = (typeof path_forms)[number];
 
 export function pivots_of({given}: PathTask): GroundPivots {
@@ -74,8 +83,24 @@ export function given_sides(task: PathTask): Side[] {
   const pivots = pivots_of(task);
   return (["input", "output"] as const).filter((side) => pivots[side]);
 }
+/** As the engine tells it: one of these is given, or more points than a four-bar passes and nothing else. */
+export function is_near(task: PathTask): boolean {
+  if (asks_for_near(task)) return true;
+  return given_sides(task).length === 0 && angle_key(task) === null && position_count(task.points) > most_exact;
+}
+/** It is near however many points there are. */
+export function asks_for_near({closed, tolerance, between, points}: PathTask): boolean {
+  return (
+    closed === true ||
+    tolerance !== undefined ||
+    between === "polyline" ||
+    points.some((point) => point.tolerance !== undefined || point.weight !== undefined)
+  );
+}
+export const most_exact = 5;
 /** A task without points is to have angles at all that will come. */
 export function form_of(task: PathTask): PathForm {
+  if (task.closed !== undefined || is_near(task)) return "near";
   const pivots = given_sides(task).length;
   if (pivots) return pivots === 1 ? "pivot" : "pivots";
   return task.points.every(({input_deg}) => input_deg !== undefined) ? "angles" : "some";

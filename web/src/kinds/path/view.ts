@@ -8,6 +8,7 @@ import {path_handles} from "./path_handles";
 import Picture from "./Picture.svelte";
 import {with_clicked} from "./points";
 import Requirement from "./Requirement.svelte";
+import {stroke_drag} from "./stroke.svelte";
 
 export const path_view: TaskView = {
   mechanism: path_four_bar,
@@ -16,6 +17,7 @@ export const path_view: TaskView = {
   Layer,
   handles: path_handles,
   with_clicked,
+  stroke: stroke_drag,
   Numbers,
   Picture: Picture as Component<{id: string}>,
   plots: () => ["transmission", "path", "coupler", "output", "velocity", "advantage"],

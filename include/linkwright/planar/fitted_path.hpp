@@ -1,0 +1,39 @@
+#pragma once
+
+#include <array>
+#include <cstddef>
+#include <optional>
+#include <vector>
+
+#include "linkwright/approximate/curve_fit.hpp"
+#include "linkwright/mechanism/four_bar.hpp"
+
+namespace linkwright {
+
+/// How it is searched for paths that pass near points.
+struct FitWishes {
+  FitEffort effort = FitEffort::standard;
+  FitMeasure measure = FitMeasure::least_squares;
+  std::optional<double> grashof_margin = 0.003;  ///< as CurveFitOptions::grashof_margin, in [0, 1)
+
+  friend bool operator==(const FitWishes&, const FitWishes&) = default;
+};
+
+/// How near the path of a four-bar passes to the points of its task, user's unit.
+struct FittedPath {
+  /// Where the linkage is when its point is nearest to a point of the task.
+  struct Nearest {
+    std::size_t point = 0;  ///< of the task, from 0
+    double input = 0;       ///< turn of the input from position 1, radians
+    Point place{};          ///< of the path
+    double distance = 0;
+  };
+
+  CurveError error;                   ///< its max_at is a point of the task, from 0
+  std::vector<Nearest> at;            ///< in the order of the points
+  std::vector<std::size_t> outside;   ///< points of the task, from 0, that are farther off than their tolerance
+  std::vector<FourBar> realisations;  ///< the four-bars that trace the same path, this one first; position 1
+  bool at_length_limit = false;       ///< longer links may come nearer
+};
+
+}  // namespace linkwright

@@ -1,0 +1,61 @@
+#pragma once
+
+#include <array>
+#include <span>
+#include <vector>
+
+#include "approximate/coupler_linkage.hpp"
+#include "approximate/scan_target.hpp"
+
+namespace linkwright {
+
+/// How often the moving pivot of a driving dyad changes its side along the target: where the dyad is stretched out, at
+/// the points farthest from the fixed pivot, and where it is folded, at the nearest.
+enum class ElbowPattern : std::uint8_t { none, far, near, far_and_near, twice_far, twice_near, twice_both };
+inline constexpr std::size_t elbow_pattern_count = 7;
+
+/// A driving dyad and at which of the chosen points its moving pivot lies to the right of the direction to the point.
+struct DrivingDyad {
+  double input = 0, arm = 0;
+  std::uint32_t right = 0;  ///< a bit to each point
+  ElbowPattern pattern = ElbowPattern::none;
+};
+
+/// All that are tried at a fixed pivot: lengths read off the largest and the least distance of the target, where they
+/// change sides, and inflated otherwise.
+[[nodiscard]] std::vector<DrivingDyad> driving_dyads(const ScaledTarget& target, std::span<const Point> chosen,
+                                                     Point pivot);
+
+/// A start of the least squares: a driving dyad and a second one.
+struct DyadPair {
+  CouplerLinkage linkage;
+  std::uint32_t right = 0;
+  double score = 0;  ///< root mean square distance across the curve, to first order
+  char driver = 0;   ///< 'e', 'u' or 'g', which turns one way and meets no dead point, as the points show; 0: none
+};
+
+/// Its fixed pivots are near each other, as those of most double cranks are: along a circle they are lost among long
+/// linkages, which come nearer sooner.
+[[nodiscard]] inline bool is_compact(const CouplerLinkage& linkage) {
+  constexpr double near = 1;
+  return std::norm(linkage.b0 - linkage.a0) < near * near;
+}
+
+/// The states of a pair at the points, its loop being closed as nearly as the second dyad fits.
+[[nodiscard]] std::vector<LoopState> states_of(const DyadPair& pair, std::span<const Point> chosen);
+
+/// The second dyads that fit the poses of a driving dyad best, up to four, from the two smallest eigenvectors of their
+/// linear equation: those of their combinations that are dyads.
+struct SecondDyads {
+  std::array<CouplerLinkage, 4> linkages;
+  std::size_t count = 0;
+};
+[[nodiscard]] SecondDyads second_dyads(Point pivot, double input, double arm,
+                                       const std::array<std::array<double, 7>, 2>& vectors);
+
+/// The best pairs at a fixed pivot: to each pattern the best one, and the best one that has a driver.
+[[nodiscard]] std::vector<DyadPair> scan_pivot(const ScaledTarget& target, std::span<const Point> chosen,
+                                               std::span<const double> weights, Point pivot, double max_length,
+                                               Simd simd);
+
+}  // namespace linkwright

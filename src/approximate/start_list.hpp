@@ -1,0 +1,38 @@
+#pragma once
+
+#include <span>
+#include <vector>
+
+#include "approximate/curve_least_squares.hpp"
+#include "approximate/dyad_scan.hpp"
+
+namespace linkwright {
+
+/// The best pairs that lead to different places, up to `count`: a quarter compact ones with a driver, half others with
+/// a driver, the rest without. Where one kind runs out the next takes its places.
+[[nodiscard]] std::vector<DyadPair> distinct_pairs(std::vector<DyadPair> pairs, std::size_t count);
+
+/// Pairs with their loops closed, turned to the realisation whose input is the driver; those that do not close are left
+/// out.
+[[nodiscard]] std::vector<CurveStart> starts_of(const std::vector<DyadPair>& pairs, std::span<const Point> chosen);
+
+/// Two of the curve's linkages have an input that turns as this one's does: the one that is farther within the limits.
+void turn_within_limits(const FitLimits& limits, CurveStart& start);
+
+/// The least cost first.
+void sort_by_cost(std::vector<CurveStart>& starts);
+
+/// So many of those with a driver, a third of them compact ones where there are, and of those without.
+void keep_best(std::vector<CurveStart>& starts, std::size_t clean, std::size_t any);
+
+/// The same curve, by its three ground pivots.
+[[nodiscard]] bool same_curve(const CouplerLinkage& a, const CouplerLinkage& b);
+
+/// The first of each curve, with a driver and without.
+void keep_distinct(std::vector<CurveStart>& starts);
+
+/// From the chosen points to all: states at the others begin between those at the chosen ones. False where a loop does
+/// not close.
+[[nodiscard]] bool spread_to_all_points(const ScaledTarget& target, CurveStart& start);
+
+}  // namespace linkwright

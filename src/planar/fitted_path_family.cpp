@@ -1,0 +1,358 @@
+#include "fitted_path_family.hpp"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <fmt/format.h>
+#include <limits>
+#include <utility>
+
+#include "linkwright/core/angle.hpp"
+#include "linkwright/mechanism/driver_sequence.hpp"
+#include "linkwright/planar/four_bar_map.hpp"
+
+namespace linkwright {
+namespace {
+
+constexpr std::size_t most_positions = 5, most_realisations = 3;
+
+constexpr auto fitted_measures = [] {
+  std::array<Measure, planar_measures.size() + 1> all{};
+  std::copy(planar_measures.begin(), planar_measures.end(), all.begin());
+  all.back() = measures::path_error;
+  return all;
+}();
+
+MapAxis axis_of(AxisQuantity quantity, std::string_view what, std::size_t count) {
+  MapAxis axis{quantity, {}};
+  for (std::size_t i = 0; i < count; ++i)
+    axis.branches.push_back({std::string(what), static_cast<double>(i), static_cast<double>(i + 1)});
+  return axis;
+}
+
+// The first, and others as far apart as they are in number; of an open path the last, too.
+std::vector<std::size_t> positions_among(std::size_t states, bool closed) {
+  const std::size_t count = std::min(most_positions, states);
+  std::vector<std::size_t> chosen;
+  for (std::size_t k = 0; k < count; ++k)
+    chosen.push_back(closed ? k * states / count : k * (states - 1) / std::max<std::size_t>(1, count - 1));
+  return chosen;
+}
+
+Point unit_towards(Point from, Point to) { return (to - from) / std::abs(to - from); }
+
+// By how much a coupler that is turned about the point, which stands at `there`, fails to be held by its links.
+double looseness(const TracingFourBar& linkage, Point turn, Point there) {
+  const auto moved = [&](Point p) { return there + turn * (p - linkage.point); };
+  const FourBar& bars = linkage.bars;
+  const LinkLengths lengths = bars.lengths();
+  return std::abs(std::abs(moved(bars.input_moving) - bars.input_fixed) - lengths.input) +
+         std::abs(std::abs(moved(bars.output_moving) - bars.output_fixed) - lengths.output);
+}
+
+// A cognate's coupler turns as one of the three moving links of any other: as that with which it stays closed.
+Point coupler_turn(const TracingFourBar& linkage, const FourBar& first, const FitState& state) {
+  const FourBar& now = state.bars;
+  const std::array<Point, 3> turns = {
+      unit_towards(now.input_moving, now.output_moving) *
+          std::conj(unit_towards(first.input_moving, first.output_moving)),
+      unit_towards(now.input_fixed, now.input_moving) * std::conj(unit_towards(first.input_fixed, first.input_moving)),
+      unit_towards(now.output_fixed, now.output_moving) *
+          std::conj(unit_towards(first.output_fixed, first.output_moving))};
+  return *std::min_element(turns.begin(), turns.end(), [&](Point a, Point b) {
+    return looseness(linkage, a, state.point) < looseness(linkage, b, state.point);
+  });
+}
+
+}  // namespace
+
+FittedPathFamily::FittedPathFamily(NearestTarget near, std::vector<CurveFit> fits)
+    : PathFamily({near.target.points.front(), near.target.diagonal()},
+                 axis_of(AxisQuantity::fitted_curve, "curve", fits.size()),
+                 axis_of(AxisQuantity::realisation, "realisation", most_realisations)),
+      near_(std::move(near)),
+      fits_(std::move(fits)),
+      positions_(positions_among(near_.target.points.size(), near_.target.closed)) {}
+
+std::span<const Measure> FittedPathFamily::measures() const { return fitted_measures; }
+
+std::optional<FittedPathFamily::Traced> FittedPathFamily::traced_at(MapPoint place) const {
+  if (!(place.input >= 0 && place.output >= 0)) return std::nullopt;
+  const auto curve = static_cast<std::size_t>(place.input), realisation = static_cast<std::size_t>(place.output);
+  if (curve >= fits_.size() || realisation >= fits_[curve].realisation_count) return std::nullopt;
+  return Traced{fits_[curve], fits_[curve].realisations[realisation], realisation};
+}
+
+std::optional<DyadPair> FittedPathFamily::dyad_pair(MapPoint place) const {
+  const auto traced = traced_at(place);
+  if (!traced) return std::nullopt;
+  const FourBar& bars = traced->linkage.bars;
+  const auto link = [&](Point center, Point circle, double coordinate) {
+    return Dyad{Homogeneous::of(frame().to_working(center)), Homogeneous::of(frame().to_working(circle)),
+                std::floor(coordinate) + 0.5};
+  };
+  return DyadPair{link(bars.input_fixed, bars.input_moving, place.input),
+                  link(bars.output_fixed, bars.output_moving, place.output)};
+}
+
+std::vector<PrescribedPose> FittedPathFamily::user_poses(MapPoint place, const FourBar& /*bars*/) const {
+  std::vector<PrescribedPose> poses;
+  const auto traced = traced_at(place);
+  if (!traced) return poses;
+  const std::vector<FitState>& states = traced->fit.states;
+  for (const std::size_t j : positions_)
+    poses.push_back({{states[j].point, std::arg(coupler_turn(traced->linkage, states.front().bars, states[j]))}, {}});
+  return poses;
+}
+
+std::vector<PrescribedPose> FittedPathFamily::working_poses(MapPoint place, const FourBar& bars) const {
+  return frame().to_working(user_poses(place, bars));
+}
+
+std::vector<PrescribedPose> FittedPathFamily::crank_poses(MapPoint place, const FourBar& bars) const {
+  return crank_poses_of(bars, user_poses(place, bars), std::nullopt);
+}
+
+LinkageFamily::CellAt FittedPathFamily::cells(bool respect_direction) const {
+  return [this, judge = PathFamily::cells(respect_direction)](MapPoint place, const auto& is_worth_it) {
+    std::optional<Cell> cell = judge(place, is_worth_it);
+    const auto traced = traced_at(place);
+    if (!cell || !traced) return cell;
+    cell->values[planar_measures.size()] = error_of(traced->fit).rms;
+    if (near_.target.closed) cell->values[0] = cell->values[1];  // it is run all along
+    if (near_.target.closed && !input_is_crank(cell->type)) cell->defects.bits |= Defects::branch_bit;
+    return cell;
+  };
+}
+
+std::vector<Cell> FittedPathFamily::all_at(MapPoint place, bool respect_direction) const {
+  std::vector<Cell> all;
+  for (std::size_t k = 0; k < most_realisations; ++k)
+    if (auto found = cell({place.input, static_cast<double>(k) + 0.5}, respect_direction)) all.push_back(*found);
+  return all;
+}
+
+void FittedPathFamily::fill(RegionMap& map, std::span<const double> input, std::span<const double> output,
+                            bool respect_direction, const RegionOptions& options, const Progress& progress) const {
+  constexpr bool of_pairs = false;
+  map.lay(input, output, measures(), of_pairs, options);
+  map.give_each_cell_a_driver();
+  const CellAt cell_at = cells(respect_direction);
+  for (std::size_t row = 0; row < input.size(); ++row) {
+    map.leave_empty(row, row + 1);
+    for (std::size_t column = 0; column < output.size() && !progress.is_cancelled(); ++column) {
+      const MapPoint place{input[row], output[column]};
+      const auto cell = cell_at(place, [](const Cell&) { return true; });
+      if (!cell) continue;
+      const RegionMap::Cells to = map.cells(row, column);
+      *to.type = static_cast<std::uint8_t>(cell->type);
+      *to.defects = cell->defects.bits;
+      for (std::size_t k = 0; k < measures().size(); ++k) *to.measures[k] = static_cast<float>(cell->values[k]);
+      const FourBar& bars = traced_at(place)->linkage.bars;
+      const DriverSequence order =
+          driver_sequence(bars.input_fixed, bars.input_moving, user_poses(place, bars), respect_direction);
+      map.set_driver(row, column, {order.senses(), static_cast<float>(order.sweep_ccw)});
+    }
+  }
+}
+
+// Of the points of the task alone, by their numbers there.
+CurveError FittedPathFamily::error_of(const CurveFit& fit) const {
+  CurveError error = fit.error;
+  error.sum_of_squares = error.max = 0;
+  double weights = 0;
+  for (std::size_t j = 0; j < fit.states.size(); ++j) {
+    if (near_.point[j] == NearestTarget::between) continue;
+    const double weight = near_.target.weights[j], distance = fit.states[j].distance;
+    weights += weight;
+    error.sum_of_squares += weight * distance * distance;
+    if (!(weight > 0 && distance >= error.max)) continue;
+    error.max = distance;
+    error.max_at = near_.point[j];
+  }
+  error.rms = std::sqrt(error.sum_of_squares / weights);
+  error.rms_over_diagonal = error.rms / near_.target.diagonal();
+  return error;
+}
+
+std::optional<FittedPath> FittedPathFamily::fitted_at(MapPoint place) const {
+  const auto traced = traced_at(place);
+  if (!traced) return std::nullopt;
+  const std::vector<FitState>& states = traced->fit.states;
+  const FourBar& bars = traced->linkage.bars;
+  const Point crank = bars.input_moving - bars.input_fixed;
+  FittedPath path;
+  path.error = error_of(traced->fit);
+  path.at_length_limit = traced->fit.at_length_limit;
+  double before = 0;
+  for (std::size_t j = 0; j < states.size(); ++j) {
+    const Point turn = coupler_turn(traced->linkage, states.front().bars, states[j]);
+    const Point moving = states[j].point + turn * (bars.input_moving - traced->linkage.point);
+    before += wrap_signed(std::arg((moving - bars.input_fixed) * std::conj(crank)) - before);
+    if (near_.point[j] == NearestTarget::between) continue;
+    path.at.push_back({near_.point[j], before, states[j].point, states[j].distance});
+    if (states[j].distance > near_.tolerance[j]) path.outside.push_back(near_.point[j]);
+  }
+  path.realisations.push_back(bars);
+  for (std::size_t k = 0; k < traced->fit.realisation_count; ++k)
+    if (k != traced->realisation) path.realisations.push_back(traced->fit.realisations[k].bars);
+  return path;
+}
+
+std::optional<std::size_t> FittedPathFamily::curve_of(const Pivots& pivots) const {
+  const FourBar bars = four_bar_of(pivots);
+  const double near = 1e-9 * frame().scale;
+  for (std::size_t i = 0; i < fits_.size(); ++i)
+    for (std::size_t k = 0; k < fits_[i].realisation_count; ++k) {
+      const FourBar& known = fits_[i].realisations[k].bars;
+      if (std::abs(known.input_fixed - bars.input_fixed) <= near &&
+          std::abs(known.output_fixed - bars.output_fixed) <= near &&
+          std::abs(known.input_moving - bars.input_moving) <= near)
+        return i;
+    }
+  return std::nullopt;
+}
+
+double FittedPathFamily::distance(const Pivots& one, const Pivots& other) const {
+  const auto curve = curve_of(one);
+  return curve && curve == curve_of(other) ? 0 : PathFamily::distance(one, other);
+}
+
+namespace {
+
+CurveFitOptions fit_options(const NearestTarget& near, const Requirements& requirements, const FitWishes& wishes,
+                            const RegionOptions& options) {
+  constexpr double inside = 1e-7;  // what keeps a limit by the fit keeps it by the figures told
+  CurveFitOptions fit;
+  const double diagonal = near.target.diagonal();
+  fit.effort = wishes.effort;
+  fit.measure = wishes.measure;
+  fit.max_length = (1 - inside) * *requirements.max_length / diagonal;
+  fit.min_length = (1 + inside) * *requirements.min_length / diagonal;
+  fit.max_link_ratio = (1 - inside) * requirements.max_link_ratio;
+  fit.grashof_margin = wishes.grashof_margin;
+  if (requirements.min_transmission_angle > 0)
+    fit.min_transmission_angle = requirements.min_transmission_angle + inside;
+  if (requirements.ground_pivots_within) fit.windows.ground = *requirements.ground_pivots_within;
+  if (requirements.moving_pivots_within) fit.windows.moving = *requirements.moving_pivots_within;
+  fit.threads = options.threads;
+  fit.simd = options.simd;
+  return fit;
+}
+
+Notice about_search(const CurveFits& found) {
+  const auto [places, starts, minima] = found.counts;
+  return {"path_fitted",
+          fmt::format("The nearest paths were searched for: from {} places of a ground pivot {} starts ran into {} "
+                      "different paths. That is evidence, no proof, that none comes nearer.",
+                      places, starts, minima),
+          {{"places", static_cast<double>(places)},
+           {"starts", static_cast<double>(starts)},
+           {"minima", static_cast<double>(minima)}}};
+}
+
+std::optional<Notice> about_defects(const CurveFits& found) {
+  const auto& with = found.smallest_with_defects;
+  if (!with || (!found.fits.empty() && found.fits.front().error.rms <= with->error.rms)) return std::nullopt;
+  return Notice{"nearer_with_defects",
+                fmt::format("With a defect – a dead point on the way, points on two circuits or out of order – a path "
+                            "could pass at {:.4g} (root mean square).",
+                            with->error.rms),
+                {{"rms", with->error.rms}}};
+}
+
+// Of the best, where it would surprise whoever sees the points alone.
+std::optional<Notice> about_straying(const FittedPathFamily& family, const NearestTarget& near) {
+  constexpr double of_error = 3, of_diagonal = 0.1;
+  const auto path = family.fitted_at({0.5, 0.5});
+  if (!path || path->error.excursion <= std::max(of_error * path->error.max, of_diagonal * near.target.diagonal()))
+    return std::nullopt;
+  return Notice{
+      "path_strays",
+      fmt::format("Between the points the nearest path strays {:.4g} from the polygon through them; give more "
+                  "points there, or \"between\": \"polyline\".",
+                  path->error.excursion),
+      {{"excursion", path->error.excursion}}};
+}
+
+std::optional<Notice> about_exact(const NearestTarget& near) {
+  constexpr std::size_t most_exact = 9;
+  const std::size_t count = near.target.points.size();
+  if (count > most_exact) return std::nullopt;
+  return Notice{"exactly_solvable",
+                fmt::format("Through {} points some four-bars pass exactly{}; those listed are some that come as near "
+                            "as rounding lets them, or that the requirements leave.",
+                            count, count < most_exact ? ", whole families of them" : ""),
+                {{"count", static_cast<double>(count)}}};
+}
+
+std::optional<Notice> about_tolerance(const NearestTarget& near, const FittedPathFamily& family) {
+  const bool is_asked = std::any_of(near.tolerance.begin(), near.tolerance.end(),
+                                    [](double tolerance) { return std::isfinite(tolerance); });
+  double factor = std::numeric_limits<double>::infinity();
+  for (const MapPoint place : family.few_places()) {
+    const auto path = family.fitted_at(place);
+    double needed = 0;
+    for (std::size_t j = 0; path && j < path->at.size(); ++j)
+      needed = std::max(needed, path->at[j].distance / near.tolerance[j]);
+    if (path) factor = std::min(factor, needed);
+  }
+  if (!is_asked || factor <= 1) return std::nullopt;
+  return Notice{"path_tolerance_missed",
+                fmt::format("No path found keeps the tolerance at all points; {:.3g} times as much would do.", factor),
+                {{"factor", factor}}};
+}
+
+Notice nothing_fits(const CurveFits& found) {
+  return {"no_path_fits",
+          fmt::format("Of {} different paths near these points none is that of a linkage without defects that keeps "
+                      "the requirements. That is evidence, no proof: relax lengths, windows or transmission angle, "
+                      "or look at more (\"fit\": {{\"effort\": \"deep\"}}).",
+                      found.counts.minima),
+          {{"minima", static_cast<double>(found.counts.minima)}}};
+}
+
+// The tolerance may be kept by a path whose largest distance is the least.
+void add_least_largest(const NearestTarget& near, CurveFitOptions options, CurveFits& found, const Progress& progress) {
+  const auto keeps = [&](const CurveFit& fit) {
+    for (std::size_t j = 0; j < fit.states.size(); ++j)
+      if (fit.states[j].distance > near.tolerance[j]) return false;
+    return true;
+  };
+  const bool is_kept = std::any_of(found.fits.begin(), found.fits.end(), keeps);
+  if (is_kept || options.measure == FitMeasure::least_largest || progress.is_cancelled()) return;
+  options.measure = FitMeasure::least_largest;
+  for (CurveFit& fit : fit_curve(near.target, options, progress).fits)
+    if (keeps(fit)) found.fits.push_back(std::move(fit));
+}
+
+}  // namespace
+
+TaskFamily family_of_nearest(const PathTask& task, const Requirements& requirements, const FitWishes& wishes,
+                             const RegionOptions& options, const Progress& progress) {
+  NearestTarget near = nearest_target(task);
+  TaskFamily given;
+  given.pattern = fmt::format("{} points", near.target.points.size());
+  given.conditions.frame = {near.target.points.front(), near.target.diagonal()};
+  given.size = given.frame().scale;
+  given.warnings = near.warnings;
+  const CurveFitOptions fit = fit_options(near, with_default_lengths(requirements, given.size), wishes, options);
+  CurveFits found = fit_curve(near.target, fit, progress);
+  add_least_largest(near, fit, found, progress);
+  if (auto notice = about_exact(near)) given.warnings.push_back(*std::move(notice));
+  given.warnings.push_back(about_search(found));
+  if (auto notice = about_defects(found)) given.warnings.push_back(*std::move(notice));
+  given.has_no_dyads = found.fits.empty();
+  if (given.has_no_dyads) {
+    given.degeneracy = nothing_fits(found);
+    return given;
+  }
+  const auto family = std::make_shared<const FittedPathFamily>(near, std::move(found.fits));
+  if (auto notice = about_tolerance(near, *family)) given.warnings.push_back(*std::move(notice));
+  if (auto notice = about_straying(*family, near)) given.warnings.push_back(*std::move(notice));
+  given.paths = family;
+  given.family = family;
+  return given;
+}
+
+}  // namespace linkwright

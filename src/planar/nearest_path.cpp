@@ -1,0 +1,213 @@
+#include "nearest_path.hpp"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <fmt/format.h>
+#include <limits>
+#include <utility>
+
+#include "core/number_check.hpp"
+#include "linkwright/core/tolerance.hpp"
+
+namespace linkwright {
+namespace {
+
+std::string place_of_point(std::size_t point) { return fmt::format("task.points[{}]", point); }
+
+double extent_of(const PathTask& task) {
+  double extent = 0;
+  for (const PathPoint& point : task.points)
+    extent = std::max(extent, std::abs(point.point - task.points.front().point));
+  return extent;
+}
+
+bool is_at(const PathPoint& one, const PathPoint& other, double extent) {
+  return std::abs(one.point - other.point) <= tolerance::repeated_pose * extent;
+}
+
+void check_numbers(const PathTask& task, std::vector<Error>& found) {
+  for (std::size_t i = 0; i < task.points.size(); ++i) {
+    const PathPoint& point = task.points[i];
+    check_number(point.point.real(), "x", place_of_point(i) + ".x", found);
+    check_number(point.point.imag(), "y", place_of_point(i) + ".y", found);
+  }
+}
+
+void check_nothing_else(const PathTask& task, std::vector<Error>& found) {
+  if (task.pivots.count() > 0)
+    found.push_back({"nearest_with_pivots", "task.given",
+                     "ground pivots that are given go with points that are passed exactly; leave them out, and require "
+                     "\"ground_pivots_within\" instead"});
+  if (task.box)
+    found.push_back({"nearest_with_box", "options.box",
+                     "a box goes with five points that are passed exactly; leave it out, and require "
+                     "\"ground_pivots_within\" instead"});
+  for (std::size_t i = 0; i < task.points.size() && found.empty(); ++i) {
+    const PathPoint& point = task.points[i];
+    if (!point.is_plain())
+      found.push_back({"nearest_with_angles", place_of_point(i) + (point.input ? ".input_deg" : ".theta_deg"),
+                       "a path that passes near its points has no angles; leave it out here, or give at most five "
+                       "points and neither \"closed\", \"tolerance\" nor \"weight\", which are then passed exactly"});
+    else if (!point.derivatives.empty())
+      found.push_back({"nearest_with_derivatives", place_of_point(i) + ".derivatives",
+                       "a path that passes near its points has no directions; leave them out"});
+  }
+}
+
+void check_count(const PathTask& task, std::vector<Error>& found) {
+  constexpr std::size_t fewest = 3;
+  const double extent = extent_of(task);
+  std::vector<PathPoint> different;
+  for (const PathPoint& point : task.points) {
+    if (different.size() >= fewest) break;
+    if (std::none_of(different.begin(), different.end(),
+                     [&](const PathPoint& known) { return is_at(known, point, extent); }))
+      different.push_back(point);
+  }
+  if (different.size() < fewest)
+    found.push_back(
+        {"too_few_near_points",
+         "task.points",
+         fmt::format("{} different point{} {} given, and a path is fitted to three or more; add points",
+                     different.size(), different.size() == 1 ? "" : "s", different.size() == 1 ? "was" : "were"),
+         {{"count", static_cast<double>(different.size())}}});
+  if (task.points.size() > PathTask::most_points)
+    found.push_back(
+        {"too_many_near_points",
+         "task.points",
+         fmt::format("{} points were given, and {} are the most that a path is fitted to; leave some out",
+                     task.points.size(), PathTask::most_points),
+         {{"count", static_cast<double>(task.points.size())}, {"most", static_cast<double>(PathTask::most_points)}}});
+}
+
+void check_tolerance(const std::optional<double>& given, const std::string& place, std::vector<Error>& found) {
+  if (given && !(*given > 0 && *given <= largest_coordinate))
+    found.push_back({"path_tolerance", place, "a tolerance is a length above 0; leave it out where there is none"});
+}
+
+void check_tolerances(const PathTask& task, std::vector<Error>& found) {
+  check_tolerance(task.tolerance, "task.tolerance", found);
+  bool has_weight = false;
+  for (std::size_t i = 0; i < task.points.size(); ++i) {
+    const PathPoint& point = task.points[i];
+    check_tolerance(point.tolerance, place_of_point(i) + ".tolerance", found);
+    const double weight = point.weight.value_or(1);
+    if (!(weight >= 0 && weight <= largest_coordinate))
+      found.push_back({"path_weight", place_of_point(i) + ".weight", "a weight is a number of 0 or more"});
+    has_weight = has_weight || weight > 0;
+  }
+  if (!has_weight)
+    found.push_back(
+        {"no_path_weight", "task.points", "all points have weight 0, so that any path would do; give some"});
+}
+
+}  // namespace
+
+std::string_view name(PathBetween between) { return between == PathBetween::free ? "free" : "polyline"; }
+
+bool PathTask::asks_for_nearest() const {
+  return closed || tolerance || between || std::any_of(points.begin(), points.end(), [](const PathPoint& point) {
+           return point.tolerance || point.weight;
+         });
+}
+
+bool PathTask::is_approximate() const {
+  constexpr int most_exact = 5;
+  if (asks_for_nearest()) return true;
+  return pivots.count() == 0 && !box && angled_count() == 0 && position_count(points) > most_exact;
+}
+
+std::optional<double> PathTask::tolerance_at(std::size_t point) const {
+  const auto& own = points[point].tolerance;
+  return own ? own : tolerance;
+}
+
+std::vector<Error> mistakes_in_nearest(const PathTask& task) {
+  using Check = void (*)(const PathTask&, std::vector<Error>&);
+  constexpr std::array<Check, 4> checks = {check_numbers, check_nothing_else, check_count, check_tolerances};
+  std::vector<Error> found;
+  for (const auto check : checks)
+    if (found.empty()) check(task, found);
+  return found;
+}
+
+namespace {
+
+Notice left_out(std::string_view code, std::string_view why, const std::vector<std::size_t>& points) {
+  constexpr std::size_t most_named = 8;
+  std::string list;
+  for (std::size_t i = 0; i < std::min(points.size(), most_named); ++i)
+    list += fmt::format("{}{}", i == 0 ? "" : ", ", points[i] + 1);
+  if (points.size() > most_named) list += ", …";
+  return {std::string(code),
+          fmt::format("{} {}: {}.", points.size() == 1 ? "A point was left out," : "Points were left out,", why, list),
+          {{"points", std::string_view(list)}, {"count", static_cast<double>(points.size())}}};
+}
+
+// Where no weight at all is given beside a tolerance, points with a small one count the more.
+double weight_of(const PathTask& task, std::size_t point, double unit) {
+  const auto tolerance = task.tolerance_at(point);
+  const double by_tolerance = tolerance ? unit / *tolerance : 1;
+  return task.points[point].weight.value_or(1) * by_tolerance * by_tolerance;
+}
+
+// So that weights are about 1.
+double tolerance_unit(const PathTask& task) {
+  double least = std::numeric_limits<double>::infinity();
+  for (std::size_t i = 0; i < task.points.size(); ++i) least = std::min(least, task.tolerance_at(i).value_or(least));
+  return std::isfinite(least) ? least : 1;
+}
+
+// Of each side of the polygon its middle, as a point of a quarter of the weight.
+void put_middles_between(NearestTarget& near) {
+  constexpr double share = 0.25;
+  const NearestTarget given = std::exchange(near, {{{}, {}, near.target.closed}, {}, {}, std::move(near.warnings)});
+  const std::size_t count = given.point.size();
+  for (std::size_t j = 0; j < count; ++j) {
+    near.target.points.push_back(given.target.points[j]);
+    near.target.weights.push_back(given.target.weights[j]);
+    near.point.push_back(given.point[j]);
+    near.tolerance.push_back(given.tolerance[j]);
+    if (j + 1 == count && !near.target.closed) return;
+    const std::size_t next = (j + 1) % count;
+    near.target.points.push_back(0.5 * (given.target.points[j] + given.target.points[next]));
+    near.target.weights.push_back(share * std::min(given.target.weights[j], given.target.weights[next]));
+    near.point.push_back(NearestTarget::between);
+    near.tolerance.push_back(std::numeric_limits<double>::infinity());
+  }
+}
+
+}  // namespace
+
+NearestTarget nearest_target(const PathTask& task) {
+  NearestTarget near;
+  near.target.closed = task.closed;
+  const double extent = extent_of(task), unit = tolerance_unit(task);
+  std::vector<std::size_t> repeated, closing;
+  for (std::size_t i = 0; i < task.points.size(); ++i) {
+    const PathPoint& point = task.points[i];
+    if (!near.point.empty() && is_at(point, task.points[near.point.back()], extent)) {
+      repeated.push_back(i);
+      continue;
+    }
+    near.point.push_back(i);
+  }
+  while (task.closed && near.point.size() > 3 && is_at(task.points[near.point.back()], task.points.front(), extent)) {
+    closing.push_back(near.point.back());
+    near.point.pop_back();
+  }
+  for (const std::size_t i : near.point) {
+    near.target.points.push_back(task.points[i].point);
+    near.target.weights.push_back(weight_of(task, i, unit));
+    near.tolerance.push_back(task.tolerance_at(i).value_or(std::numeric_limits<double>::infinity()));
+  }
+  if (task.between == PathBetween::polyline) put_middles_between(near);
+  if (!repeated.empty())
+    near.warnings.push_back(left_out("path_points_repeated", "each at the place of the point before", repeated));
+  if (!closing.empty())
+    near.warnings.push_back(left_out("path_point_closes", "a closed path comes back to its first by itself", closing));
+  return near;
+}
+
+}  // namespace linkwright

@@ -1,0 +1,26 @@
+#pragma once
+
+#include <vector>
+
+#include "linkwright/approximate/curve_fit.hpp"
+#include "linkwright/core/result.hpp"
+#include "linkwright/planar/path_task.hpp"
+
+namespace linkwright {
+
+/// As mistakes_in(), of a task that is_approximate().
+[[nodiscard]] std::vector<Error> mistakes_in_nearest(const PathTask& task);
+
+/// What a path is to pass near, and of each of its points which of the task it is.
+struct NearestTarget {
+  static constexpr auto between = static_cast<std::size_t>(-1);
+
+  CurveTarget target;
+  std::vector<std::size_t> point;  ///< index in the task, rising; `between`: a middle of a side of the polygon
+  std::vector<double> tolerance;   ///< infinite where none is given
+  std::vector<Notice> warnings;    ///< points that were left out: equal neighbours, a closed path's first at its end
+};
+/// Of a task without mistakes. A tolerance t weighs 1/t², beside weights that are given.
+[[nodiscard]] NearestTarget nearest_target(const PathTask& task);
+
+}  // namespace linkwright

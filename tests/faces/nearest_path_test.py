@@ -1,0 +1,84 @@
+"""Paths near points, end to end: the program's distances against the linkage turned from its pivots and its point alone."""
+
+import json
+import math
+import unittest
+
+from driven_linkages import FourBar
+from face_support import ROOT, FaceTest, load, run
+
+EXAMPLES = ("bean_stirrer", "walking_foot", "film_advance", "letter_loop")
+
+
+def whole_path(linkage, steps=1440):
+    bars, start = FourBar(linkage), complex(*linkage["point"])
+    share = (start - bars.input_circle) / (bars.output_circle - bars.input_circle)
+    joint, path = bars.output_circle, []
+    for step in range(steps + 1):
+        state = bars.driven_to(math.tau * step / steps, joint)
+        if state is None:
+            return None
+        moved, joint = state
+        path.append(moved + share * (joint - moved))
+    return path
+
+
+def distance(path, place):
+    def of_side(a, b):
+        side = b - a
+        share = 0 if side == 0 else ((place - a) * side.conjugate()).real / abs(side) ** 2
+        return abs(a + min(max(share, 0), 1) * side - place)
+
+    return min(of_side(a, b) for a, b in zip(path, path[1:]))
+
+
+class NearestPaths(FaceTest):
+    def test_the_examples_pass_as_near_as_told(self):
+        for name in EXAMPLES:
+            with self.subTest(name):
+                status, output, error = run("solve", ROOT / f"examples/{name}.json", "-o", "-")
+                self.assertEqual((status, error), (0, ""))
+                result = json.loads(output)
+                points = [complex(point["x"], point["y"]) for point in load(ROOT / f"examples/{name}.json")["task"]["points"]]
+                self.assertTrue(result["linkages"])
+                for linkage in result["linkages"]:
+                    path = whole_path(linkage)
+                    self.assertIsNotNone(path, "its crank turns fully")
+                    diagonal = abs(complex(max(p.real for p in points) - min(p.real for p in points),
+                                           max(p.imag for p in points) - min(p.imag for p in points)))
+                    for at in linkage["fit"]["at"]:
+                        self.assertAlmostEqual(distance(path, points[at["point"] - 1]) / diagonal,
+                                               at["distance"] / diagonal, delta=2e-4)
+
+    def test_a_file_and_its_result_come_back(self):
+        path = ROOT / "examples/bean_stirrer.json"
+        result = self.folder / "bean.json"
+        self.assertEqual(run("solve", path, "-o", result)[0], 0)
+        again = load(result)["problem"]
+        self.assertEqual(again["task"], load(path)["task"])
+        for form in ("svg", "dxf"):
+            status, output, error = run("export", result, "--linkage", "1", "--format", form, "-o", self.folder / f"bean.{form}")
+            self.assertEqual((status, error), (0, ""), output)
+        status, output, error = run("analyze", result, "--linkage", "1")
+        self.assertEqual((status, error), (0, ""), output)
+
+    def test_report_tells_how_near(self):
+        status, output, _ = run("solve", ROOT / "examples/letter_loop.json")
+        self.assertEqual(status, 0)
+        self.assertIn("How near the points lie", output)
+        self.assertIn("times as much would do", " ".join(output.split()))
+        self.assertIn("evidence, no proof", " ".join(output.split()))
+
+    def test_more_effort_is_never_worse(self):
+        problem = load(ROOT / "examples/walking_foot.json")
+        errors = []
+        for effort in ("quick", "standard"):
+            problem["options"] = {"fit": {"effort": effort}}
+            status, output, error = run("solve", self.write("problem.json", problem), "-o", "-")
+            self.assertEqual((status, error), (0, ""))
+            errors.append(json.loads(output)["linkages"][0]["fit"]["error"]["rms"])
+        self.assertLessEqual(errors[1], errors[0] * (1 + 1e-6))
+
+
+if __name__ == "__main__":
+    unittest.main()

@@ -1,0 +1,45 @@
+#include "support/curve_case.hpp"
+
+#include <fstream>
+#include <nlohmann/json.hpp>
+
+#include "linkwright/mechanism/coupler_curve.hpp"
+#include "linkwright/mechanism/linkage_type.hpp"
+#include "support/random_four_bar.hpp"
+
+namespace linkwright::testing {
+
+CurveCase curve_case(const std::string& name) {
+  const auto json =
+      nlohmann::json::parse(std::ifstream(std::string(LINKWRIGHT_DATA_DIR "/approximate/") + name + ".json"));
+  CurveCase c;
+  c.target.closed = json.at("closed");
+  c.best = json.at("best_sum_of_squares");
+  for (const auto& point : json.at("points")) c.target.points.emplace_back(point.at(0), point.at(1));
+  return c;
+}
+
+TracingFourBar drawn_linkage(std::uint64_t seed, bool crank) {
+  RandomFourBars draw(seed);
+  constexpr double margin = 0.03, shortest = 0.25;  // of the perimeter; of the lengths
+  LinkLengths lengths;
+  do {
+    lengths = draw.lengths();
+  } while (change_point_margin(lengths) < margin || lengths.shortest() < shortest ||
+           (crank && linkage_type(lengths) != LinkageType::crank_rocker));
+  const FourBar bars = draw.four_bar(lengths);
+  const Point along{draw.uniform(-0.5, 1.5), draw.uniform(-1, 1)};
+  return {bars, bars.input_moving + along * (bars.output_moving - bars.input_moving)};
+}
+
+CurveTarget traced_target(const TracingFourBar& linkage, bool closed, int count, double sweep) {
+  CurveTarget target;
+  target.closed = closed;
+  const auto states = closed ? motion_cycle(linkage.bars, linkage.point, count + 1)
+                             : motion_sweep(linkage.bars, linkage.point, sweep, count);
+  for (const MotionState& state : states) target.points.push_back(state.coupler_point);
+  if (closed) target.points.pop_back();
+  return target;
+}
+
+}  // namespace linkwright::testing

@@ -1,0 +1,23 @@
+#pragma once
+
+#include <cstdint>
+#include <string>
+
+#include "linkwright/approximate/curve_fit.hpp"
+
+namespace linkwright::testing {
+
+/// A published target, data/approximate/<name>.json.
+struct CurveCase {
+  CurveTarget target;
+  double best = 0;  ///< least sum of squares known, of linkages without defects and within the default limits
+};
+[[nodiscard]] CurveCase curve_case(const std::string& name);
+
+/// A linkage that is not near a change point, and its point; a crank where the curve is to be closed.
+[[nodiscard]] TracingFourBar drawn_linkage(std::uint64_t seed, bool crank);
+
+/// Points of its curve at equal steps of the input: all the way round, or over a part without dead points.
+[[nodiscard]] CurveTarget traced_target(const TracingFourBar& linkage, bool closed, int count, double sweep = 2);
+
+}  // namespace linkwright::testing

@@ -1,0 +1,116 @@
+import {describe, expect, it} from "vitest";
+import type {Problem} from "../../state/problem";
+import {incompleteness} from "./missing";
+import {between_ends, effort_of, with_effort, with_quick_fit} from "./near";
+import {
+  path_task,
+  smoothed_points,
+  with_between,
+  with_clicked,
+  with_closed,
+  with_form,
+  with_near_points,
+  with_point_number,
+  with_points,
+  with_tolerance,
+} from "./points";
+import {path_kind} from "./kind";
+import {form_of, is_near, type PathPoint, type PathTask} from "./task";
+
+const round = (count: number): PathPoint[] =>
+  Array.from({length: count}, (_, i) => {
+    const angle = (2 * Math.PI * i) / count;
+    return {x: Number((10 * Math.cos(angle)).toFixed(3)), y: Number((7 * Math.sin(angle)).toFixed(3))};
+  });
+const problem = (more: Partial<PathTask>, rest: Partial<Problem> = {}): Problem => ({
+  linkwright: 1,
+  ...rest,
+  task: {kind: "path", mechanism: "four_bar", points: round(8), ...more} as PathTask,
+});
+const task = (of: Problem) => path_task(of)!;
+
+describe("a path is near its points", () => {
+  it.each([
+    ["closed", {closed: true, points: round(4)}, true],
+    ["with a tolerance", {tolerance: 1, points: round(4)}, true],
+    ["that keeps to the polygon", {between: "polyline" as const, points: round(4)}, true],
+    ["with a weight", {points: [...round(3), {x: 0, y: 0, weight: 2}]}, true],
+    ["with a tolerance of a point", {points: [...round(3), {x: 0, y: 0, tolerance: 2}]}, true],
+    ["of six points", {points: round(6)}, true],
+    ["of five points", {points: round(5)}, false],
+    ["of six points about a pivot", {points: round(6), given: {ground_pivots: {input: [1, 1] as const}}}, false],
+    ["of six with an angle", {points: [...round(5), {x: 0, y: 0, theta_deg: 1}]}, false],
+  ])("%s", (_, more, near) => {
+    expect(is_near(task(problem(more)))).toBe(near);
+  });
+  it("stays so with however few points, and says what is missing", () => {
+    const few = with_points(problem({}), (points) => points.slice(0, 4));
+    expect([form_of(task(few)), is_near(task(few))]).toEqual(["near", false]);
+    expect(incompleteness(task(few))).toEqual({state: "too_few", text: "state.path_near_exact", n: 2});
+    expect(incompleteness(task(with_closed(few, true)))).toBeNull();
+    expect(incompleteness(task(with_between(few, true)))).toBeNull();
+    expect(incompleteness(task(with_tolerance(few, 0.5)))).toBeNull();
+    const none = with_points(few, () => []);
+    expect(incompleteness(task(none))).toEqual({state: "too_few", text: "state.path_few_near", n: 3});
+    expect(task(with_clicked(none, [3, 4])!).points).toEqual([{x: 3, y: 4}]);
+    const one = problem({closed: true, points: Array.from({length: 5}, () => ({x: 1, y: 1}))});
+    expect(incompleteness(task(one))!.n).toBe(2);
+  });
+});
+
+describe("its form", () => {
+  it("takes away what goes with points that are passed exactly, and gives it back to none", () => {
+    const timed = problem({points: round(4).map((point, i) => ({...point, input_deg: 30 * i}))}),
+      near = with_form(timed, "near", null);
+    expect(task(near)).toEqual({kind: "path", mechanism: "four_bar", closed: false, points: round(4)});
+    const full = with_point_number(with_tolerance(with_closed(near, true), 2), 1, "weight", 3);
+    expect(task(full).points[1]).toEqual({...round(4)[1], weight: 3});
+    const back = with_form(with_effort(full, "deep"), "pivots", null);
+    expect(Object.keys(task(back)).sort()).toEqual(["given", "kind", "mechanism", "points"]);
+    expect(task(back).points).toEqual(round(4));
+    expect(back.options?.fit).toBeUndefined();
+  });
+  it("takes an objective away that goes with it alone", () => {
+    const by_error = problem({closed: true}, {options: {objective: "path_error", best: 3}});
+    expect(with_form(by_error, "angles", null).options).toEqual({best: 3});
+    expect(with_closed(by_error, false).options).toEqual({objective: "path_error", best: 3});
+  });
+  it("is read and written whole", () => {
+    const whole = {...task(problem({closed: true, tolerance: 0.5, between: "polyline"}))};
+    const points = [{x: 0, y: 0, weight: 2, tolerance: 0.1}, ...round(3)];
+    expect(path_kind.read({...whole, points} as never)).toEqual({...whole, points});
+    expect(path_kind.read({...whole, closed: "yes", tolerance: "1"} as never)).not.toHaveProperty("closed");
+  });
+});
+
+describe("what is asked", () => {
+  it("is quick while a hand moves", () => {
+    const asked = problem({closed: true}, {options: {best: 3, fit: {effort: "deep", measure: "least_largest"}}});
+    expect(with_quick_fit(asked).options).toEqual({best: 3, fit: {effort: "quick", measure: "least_largest"}});
+    const exact = problem({points: round(4)});
+    expect(with_quick_fit(exact)).toBe(exact);
+  });
+  it("is standard where nothing is said", () => {
+    const asked = problem({closed: true});
+    expect(effort_of(asked)).toBe("standard");
+    expect(with_effort(with_effort(asked, "deep"), "standard").options).toEqual({});
+  });
+});
+
+it("points are added between the ends of a closed path, drawn anew, and made smooth with what they have", () => {
+  expect(between_ends([{x: 0, y: 0}, {x: 5, y: 5}, {x: 2, y: 4}])).toEqual({x: 1, y: 2}); // prettier-ignore
+  expect(between_ends([{x: 0, y: 0}])).toBeNull();
+  const given = problem({given: {ground_pivots: {input: [1, 1]}}}),
+    near = with_near_points(given, [[0, 0], [1, 0], [1, 1]], true); // prettier-ignore
+  expect(task(near)).toEqual({
+    kind: "path",
+    mechanism: "four_bar",
+    closed: true,
+    points: [{x: 0, y: 0}, {x: 1, y: 0}, {x: 1, y: 1}], // prettier-ignore
+  });
+  const spiked = problem({closed: true, points: [{x: 30, y: 0, weight: 2}, ...round(12).slice(1)]}),
+    smooth = task(smoothed_points(spiked)).points;
+  expect(smooth[0]!.weight).toBe(2);
+  expect(smooth[0]!.x).toBeLessThan(25);
+  expect(smooth).toHaveLength(12);
+});

@@ -1,0 +1,53 @@
+// What is given of paths that pass near their points: closed or open, tolerances and weights, and how long it is searched.
+import type {Options} from "../../contract/problem";
+import {with_options, type Problem} from "../../state/problem";
+import {without_angle} from "./angles";
+import {is_near, is_path, type PathPoint, type PathTask} from "./task";
+
+export const efforts = ["quick", "standard", "deep"] as const;
+export type Effort = (typeof efforts)[number];
+
+export function effort_of({options}: Problem): Effort {
+  return options?.fit?.effort ?? "standard";
+}
+export function with_effort(problem: Problem, effort: Effort): Problem {
+  const {effort: _, ...rest} = problem.options?.fit ?? {};
+  return with_fit(problem, effort === "standard" ? rest : {...rest, effort});
+}
+function with_fit(problem: Problem, fit: NonNullable<Options["fit"]>): Problem {
+  return with_options(problem, {fit: Object.keys(fit).length ? fit : undefined});
+}
+/** What is asked while a hand moves: an answer soon. */
+export function with_quick_fit(problem: Problem): Problem {
+  const {task} = problem;
+  return is_path(task) && is_near(task) ? with_effort(problem, "quick") : problem;
+}
+
+/** Without what only a path that passes through its points has; its points stay. */
+export function near_task({given: _, ...task}: PathTask): PathTask {
+  return {
+    ...task,
+    closed: task.closed ?? false,
+    points: task.points.map((point) => {
+      const {derivatives: _, ...place} = without_angle(point);
+      return place;
+    }),
+  };
+}
+/** Without what only a path that passes near its points has. */
+export function exact_task({closed: _, tolerance: __, between: ___, ...task}: PathTask): PathTask {
+  return {
+    ...task,
+    points: task.points.map(({tolerance: _, weight: __, ...point}) => point),
+  };
+}
+export function tolerance_at({tolerance}: PathTask, point: PathPoint): number | null {
+  return point.tolerance ?? tolerance ?? null;
+}
+/** One more, between the last and the first of a closed path. */
+export function between_ends([first, ...rest]: readonly PathPoint[]): PathPoint | null {
+  const last = rest.at(-1);
+  if (!first || !last) return null;
+  const middle = (key: "x" | "y") => Number(((first[key] + last[key]) / 2).toPrecision(6));
+  return {x: middle("x"), y: middle("y")};
+}
