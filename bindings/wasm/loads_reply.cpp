@@ -4,6 +4,7 @@
 #include "files/fields/result_forms.hpp"
 #include "linkwright/files/number_text.hpp"
 #include "linkwright/loads/load_report.hpp"
+#include "linkwright/loads/spring_charge.hpp"
 #include "replies.hpp"
 #include "reply_fields.hpp"
 #include "reply_forms.hpp"
@@ -90,9 +91,10 @@ void fields(FieldVisitor& v, const LoadFigures& of) {
 }
 
 std::string loads_reply(const LinkageLoads& on) {
-  const auto& [loads, bars, poses] = on;
-  const auto report = load_report(loads, bars, poses);
+  const auto& [given, bars, poses] = on;
+  const auto report = load_report(given, bars, poses);
   if (!report) return "";
+  const Loads loads = loads_as_used(given, bars, poses);
   std::vector<std::vector<LoadStation>> stations;
   std::vector<LoadCurve> curves;
   const std::vector<LoadCase> cases = cases_of(loads);

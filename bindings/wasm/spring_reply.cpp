@@ -3,6 +3,7 @@
 
 #include "files/fields/result_forms.hpp"
 #include "linkwright/analyses/spring_places.hpp"
+#include "linkwright/loads/spring_charge.hpp"
 #include "replies.hpp"
 #include "reply_fields.hpp"
 #include "reply_forms.hpp"
@@ -30,7 +31,8 @@ std::string place_spring_reply(const LinkageLoads& on, std::string_view boxes, s
   options.pin_looks = 0;  // a look takes a fifth of a second here
   if (most_boxes == 0) options.proof = 1;
   PlacedSpring placed;
-  placed.place = place_spring(loads_beside(*wanted, on.loads), on.bars, on.poses, *wanted, options);
+  placed.place = place_spring(loads_as_used(loads_beside(*wanted, on.loads), on.bars, on.poses), on.bars, on.poses,
+                              *wanted, options);
   const auto& why = placed.place.why_not;
   return R"({"placed": )" + write_placed_spring(placed) +
          (why ? R"(, "why_not": )" + text_of(WordedNotice{*why}) : std::string()) + "}";
@@ -39,7 +41,8 @@ std::string place_spring_reply(const LinkageLoads& on, std::string_view boxes, s
 std::string stud_map_reply(const LinkageLoads& on, std::string_view boxes, Stud over, int columns, int rows) {
   const auto wanted = wanted_beside(on.loads, boxes);
   if (!wanted) return refused(wanted.errors());
-  const auto map = stud_map(loads_beside(*wanted, on.loads), on.bars, on.poses, *wanted, over, columns, rows);
+  const auto map = stud_map(loads_as_used(loads_beside(*wanted, on.loads), on.bars, on.poses), on.bars, on.poses,
+                            *wanted, over, columns, rows);
   StudMapReply reply;
   if (map.found) {
     reply = {map.found->columns, map.found->rows, {}};

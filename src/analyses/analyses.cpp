@@ -63,6 +63,10 @@ std::optional<Requirements> report_analyses(Answer& answer, const Progress& prog
   return with_room;
 }
 
+void analyses_of_list(Answer& answer) {
+  if (findings(answer).options.loads) loads_of_list(answer);
+}
+
 void report_fields(FieldVisitor& v, const Findings* found, std::size_t place) {
   tolerance_field(v, found, place);
   loads_field(v, found, place);

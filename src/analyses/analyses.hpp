@@ -44,6 +44,9 @@ void analysis_fields(FieldVisitor& v, SynthesisOptions& options, std::string_vie
 /// Stricter requirements by which a search is likely to end at linkages that are not left out; nothing: none was.
 std::optional<Requirements> report_analyses(Answer& answer, const Progress& progress = {});
 
+/// Of linkages that come from two lists, each with its reports: what is to be warned of, and their order.
+void analyses_of_list(Answer& answer);
+
 /// The members of the linkage number `place` of an answer in a result file; null: of one that is in no list.
 void report_fields(FieldVisitor& v, const Findings* found, std::size_t place);
 

@@ -66,8 +66,7 @@ std::vector<Error> mistakes_in_balance(const Loads& loads, const LoadCase& of, c
   }
   for (std::size_t k = 0; k < loads.extra.size(); ++k) {
     const ExtraLoad& extra = loads.extra[k];
-    const bool acts = extra.always || std::find(of.extra.begin(), of.extra.end(), extra.name) != of.extra.end();
-    if (acts && !extra.mass && extra.turns_with_body)
+    if (acts_in(extra, of) && !extra.mass && extra.turns_with_body)
       found.push_back({"turning_force",
                        fmt::format("loads.extra[{}]", k),
                        "a force that turns with the body has no energy, so that no spring balances it everywhere",

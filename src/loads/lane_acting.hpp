@@ -98,7 +98,7 @@ LINKWRIGHT_INLINE W still_in(const LoadRow& row, const Linkages<R>& of, const St
     add_column<Width>(row, s, tables.acting(position, c) + at, on_body, position, still);
   }
   for (int k = position >= 0 ? loads.column_springs : 0; k < loads.springs; ++k)
-    still.add(push_of(loads.spring[k], acting.spring[k], c), acting.spring[k].unit);
+    still.add(push_of(loads.spring[k], acting.spring[k], c, of.share), acting.spring[k].unit);
   return still;
 }
 

@@ -211,10 +211,11 @@ LINKWRIGHT_INLINE Stretched<W, R> stretched(const Links<R>& links, const Station
   const Vector<R> along = end.at - start.at;
   Stretched<W, R> line;
   line.length = square_root<Width>(square_of(along));
-  // Both quotients by one division.
+  // Both quotients by one division; a spring without length has no direction, and does nothing.
+  const R length = larger(line.length, of_all<R>(1e-150));
   const R gap = 1.0 - (extended - line.length) * per_volume;
-  const R over_both = 1.0 / (line.length * gap);
-  line.over_gas = over_both * line.length;
+  const R over_both = 1.0 / (length * gap);
+  line.over_gas = over_both * length;
   const Vector<R> unit = over_both * gap * along;
   line.unit = W{};
   add_at(line.unit, s, to, end.arm, unit);
@@ -234,9 +235,11 @@ LINKWRIGHT_INLINE R friction_of(const LaneLoads::Spring& spring, R length) {
   return spring.count * larger(R(spring.friction + spring.friction_slope * (spring.extended - length)), R{});
 }
 
-/// A spring's force in a case, pushing > 0.
+/// A spring's force in a case, pushing > 0. `share`: of the strength of a free one.
 template <class W, class R>
-LINKWRIGHT_INLINE R push_of(const LaneLoads::Spring& spring, const Stretched<W, R>& line, int c) {
+LINKWRIGHT_INLINE R push_of(const LaneLoads::Spring& spring, const Stretched<W, R>& line, int c, R share = R{}) {
+  if (spring.is_free)
+    return spring.count * ((spring.charge[c] + share * spring.charge_rise[c]) * line.over_gas - spring.air[c]);
   if (spring.is_gas) return spring.count * (spring.charge[c] * line.over_gas - spring.air[c]);
   R force = spring.rate[c] * (spring.free_length - line.length);
   if (!spring.pushes) force = smaller(force, R{});

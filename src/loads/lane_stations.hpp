@@ -17,6 +17,7 @@ struct Linkages {
   R shape_sense;                              ///< of β × h
   R least_square;                             ///< of rates of points: where they are less, they rest
   R least_torque_square;                      ///< of rates of cranks
+  R share;                                    ///< of the strength of a spring that leaves it free
   Carried<R> coupler[LaneLoads::most_cases];  ///< where something acts there
 };
 
@@ -59,6 +60,7 @@ LINKWRIGHT_INLINE void set_linkages(const LoadRow& row, int at, Linkages<R>& of)
   const Vector<R> coupler_1 = output_moving - pivot;
   of.output_square = length * length;
   of.coupler_square = square_of(coupler_1);
+  of.share = row.shares ? load<Width>(row.shares + at) : R{};
   const R one = of_all<R>(1.0);
   of.shape_sense = with_sign_of<Width>(one, cross(output_moving - of.output_fixed, coupler_1));
   of.twist_sense = of.shape_sense * row.sense;

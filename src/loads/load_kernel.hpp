@@ -4,6 +4,9 @@
 
 namespace linkwright {
 
+/// Within this share, and so many newtons, forces are as large as each other.
+inline constexpr double as_large = 1e-8;
+
 /// A point that a body carries, as a kernel reads it: of the ground in the fixed frame, of the body from its origin as
 /// it lies in position 1, of links along and across from their pivot.
 struct LanePoint {
@@ -34,6 +37,10 @@ struct LaneLoads {
     double friction = 0, friction_slope = 0;
     double rate[most_cases] = {}, free_length = 0;  ///< of coils
     bool pushes = true, pulls = true;
+    /// Its strength is each linkage's own, LoadRow::shares: `charge` is that of the weakest, and the strongest has so
+    /// much more.
+    bool is_free = false;
+    double charge_rise[most_cases] = {};
   };
   int cases = 0, forces = 0;
   Force force[most_forces];
@@ -109,9 +116,11 @@ struct LoadSteps {
 struct LoadRow {
   static constexpr int most_stations = 64;
 
-  enum What : unsigned char { open, close, hand, hold, pin, effort };
-  static constexpr int whats = 6;
+  enum What : unsigned char { open, close, hand, hold, pin, effort, rise, shut, error };
+  static constexpr int whats = 9;
   static constexpr int curves = 7;  ///< of a case at most
+  /// Numbers to each lane of curves: those of all cases, and the turn of the body.
+  [[nodiscard]] int of_curves() const { return (tables->loads->cases * curves + 1) * stations; }
   enum Drive : unsigned char { by_hand, by_input, by_output, by_cylinder };
   enum Hand : unsigned char { tangential, along };
 
@@ -126,7 +135,9 @@ struct LoadRow {
   int position[most_stations] = {};  ///< of the task at a station, −1 between them
   double sense = 1;                  ///< of the driver
   double input_fixed[2] = {}, input_moving[most_stations][2] = {};
-  LoadSteps steps[most_stations];  ///< of inner ones
+  LoadSteps steps[most_stations];                        ///< of inner ones
+  LoadSteps position_steps[LoadTables::most_positions];  ///< of positions, without what is between them
+  const double* shares = nullptr;  ///< of columns: strength of the free spring between its weakest and its strongest
 
   // Worked out of these by the kernel.
   LaneWrench* acting = nullptr;  ///< to each station and case; of the body between positions what is fixed in the frame
@@ -137,6 +148,9 @@ struct LoadRow {
   double grip[LoadTables::most_positions][2] = {};  ///< the handle from the body's pivot
 
   double* values = nullptr;  ///< room for those of curves, to each case, curve, station and lane
+  /// Where the hand's forces are kept: to each column and case those of opening at all stations, then of closing; null:
+  /// nowhere.
+  double* hand_forces = nullptr;
 
   int columns = 0;
   const signed char* senses = nullptr;  ///< of the drivers; 0 where nothing is asked

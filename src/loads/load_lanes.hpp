@@ -44,6 +44,8 @@ struct Travel {
   AtStation<W, R> acting;
   Ends<R> ends[LaneLoads::most_cases];
   Rests<R> rests[LaneLoads::most_cases];
+  Vector<R> turned;  ///< of the body at the last station
+  R turn;
 
   LINKWRIGHT_INLINE Travel(LoadRow& of_row, int from)
       : row(of_row), asked(of_row), at(from), told(in_sense<Width>(of_row, from)) {
@@ -54,9 +56,11 @@ struct Travel {
     for (int j = 0; j < row.stations; ++j) {
       const Station<R> s = station<Width>(row, of, j, at);
       at_station<Width>(row, of, s, row.position[j], at, acting);
+      if (asked.turns) keep_turn(s, j);
       if (asked.hand) pass_by_hand(s, j);
       if (asked.drive && row.drive != LoadRow::by_hand) pass_by_drive(s, j);
     }
+    if (row.hand_forces) keep_forces();
     fold_all();
   }
 
@@ -64,6 +68,22 @@ struct Travel {
   [[nodiscard]] LINKWRIGHT_INLINE int cases() const { return row.tables->loads->cases; }
   LINKWRIGHT_INLINE void keep(int c, int curve, int j, R value) const {
     store<Width>(value, curve_of<Width>(row, c, curve) + j * Width);
+  }
+
+  /// From station to station it turns by less than half a turn.
+  LINKWRIGHT_INLINE void keep_turn(const Station<R>& s, int j) {
+    turn = j == 0 ? R{} : R(turn + angle_between<Width>(turned, s.turned));
+    turned = s.turned;
+    store<Width>(turn, turns_of<Width>(row) + j * Width);
+  }
+  LINKWRIGHT_INLINE void keep_forces() const {
+    for (int lane = 0; lane < Width; ++lane) {
+      if (!(told >> lane & 1U)) continue;
+      double* to = row.hand_forces + (at + lane) * cases() * 2 * row.stations;
+      for (int c = 0; c < cases(); ++c)
+        for (const int curve : {open_curve, close_curve})
+          for (int j = 0; j < row.stations; ++j) *to++ = curve_of<Width>(row, c, curve)[j * Width + lane];
+    }
   }
 
   LINKWRIGHT_INLINE void pass_by_hand(const Station<R>& s, int j) {
@@ -123,15 +143,25 @@ struct Travel {
       if (counted[what] == 0) continue;
       const bool is_known = what == LoadRow::hand && both_counted;
       worst[what] = is_known ? larger(worst[LoadRow::open], worst[LoadRow::close]) : worst_of(what);
-      put(row.unit[what] * worst[what], row.value[what] + at);
+      if (what == LoadRow::error) worst[what] = station_error(worst[what], worst[LoadRow::hand]);
+      if (row.value[what]) put(row.unit[what] * worst[what], row.value[what] + at);
     }
+  }
+  /// CellLoads has it.
+  [[nodiscard]] LINKWRIGHT_INLINE static R station_error(R at_positions, R at_stations) {
+    const R most = of_all<R>(1e300);
+    const Mask is_number =
+        less<Width>(magnitude<Width>(at_positions), most) & less<Width>(magnitude<Width>(at_stations), most);
+    return select<Width>(is_number, R(0.25 * magnitude<Width>(at_stations - at_positions) + 0.01),
+                         of_all<R>(__builtin_huge_val()));
   }
   /// Of the cases.
   [[nodiscard]] LINKWRIGHT_INLINE R worst_of(int what) const {
-    const bool holds = what == LoadRow::hold, drives = what == LoadRow::pin || what == LoadRow::effort;
+    const bool holds = what == LoadRow::hold, is_least = holds || what == LoadRow::shut;
+    const bool drives = what == LoadRow::pin || what == LoadRow::effort;
     const bool is_torque = drives && (row.drive == LoadRow::by_input || row.drive == LoadRow::by_output);
     const R least = is_torque ? of.least_torque_square : of.least_square;
-    const R worst_of_all = of_all<R>(holds ? -__builtin_huge_val() : __builtin_huge_val());
+    const R worst_of_all = of_all<R>(is_least ? -__builtin_huge_val() : __builtin_huge_val());
     R worst = R{} - worst_of_all;
     for (int c = 0; c < cases(); ++c) {
       if (!(row.counted[what] >> c & 1U)) continue;
@@ -141,7 +171,7 @@ struct Travel {
       const R most = of_all<R>(1e300);
       const Mask is_number = less<Width>(magnitude<Width>(found), most) & less<Width>(magnitude<Width>(checked), most);
       const R value = select<Width>(less<Width>(least, rest) & is_number, found, worst_of_all);
-      worst = holds ? smaller(worst, value) : larger(worst, value);
+      worst = is_least ? smaller(worst, value) : larger(worst, value);
     }
     return worst;
   }

@@ -2,12 +2,12 @@
 
 #include <algorithm>
 #include <cmath>
-#include <functional>
-#include <limits>
 #include <unordered_map>
 
 #include "linkwright/algebra/line_search.hpp"
 #include "linkwright/core/angle.hpp"
+#include "linkwright/loads/spring_charge.hpp"
+#include "loads/curve_root.hpp"
 #include "loads/load_travel.hpp"
 
 namespace linkwright {
@@ -15,8 +15,6 @@ namespace {
 
 /// Steps from position to position between which extremes and roots are looked for.
 constexpr int looked_at = 24;
-
-using Curve = std::function<std::optional<double>(double turn)>;
 
 struct Extreme {
   double value = 0, turn = 0;
@@ -58,35 +56,6 @@ std::optional<Extreme> largest(const std::vector<double>& turns, const Curve& cu
     offer(top_between(before, here, after, curve));
   }
   return best;
-}
-
-/// Where a curve changes its sign between two turns, to rounding: inverse quadratic interpolation while the curve bends
-/// little, else halving (T. R. Chandrupatla, Advances in Engineering Software 28, 145, 1997). Not defined is above 0.
-double root_between(double low, double high, const Curve& curve) {
-  constexpr int most_turns = 100;
-  const auto value = [&](double turn) { return curve(turn).value_or(std::numeric_limits<double>::infinity()); };
-  double a = high, b = low, f_a = value(a), f_b = value(b);
-  double share = 0.5;
-  for (int i = 0; i < most_turns && f_b != 0; ++i) {
-    const double turn = a + share * (b - a);
-    const double f = value(turn);
-    double c = b, f_c = f_b;
-    if ((f < 0) == (f_a < 0))
-      c = a, f_c = f_a;
-    else
-      b = a, f_b = f_a;
-    a = turn;
-    f_a = f;
-    const double tolerance = 2 * std::numeric_limits<double>::epsilon() * std::abs(a) / std::abs(b - a);
-    if (f_a == 0 || !(tolerance < 0.5)) return a;
-    const double x = (a - b) / (c - b), y = (f_a - f_b) / (f_c - f_b);
-    const bool bends_little = std::isfinite(y) && y * y < x && (1 - y) * (1 - y) < 1 - x;
-    share = 0.5;
-    if (bends_little)
-      share = f_a / (f_b - f_a) * f_c / (f_b - f_c) + (c - a) / (b - a) * f_a / (f_c - f_a) * f_b / (f_c - f_b);
-    share = std::clamp(std::isfinite(share) ? share : 0.5, tolerance, 1 - tolerance);
-  }
-  return b;
 }
 
 /// What does not depend on the case: stations between which extremes and roots are looked for, and the handle's way.
@@ -410,7 +379,9 @@ std::optional<WorstOfCases> worst_of(ReadOut read_out, const LoadReport& report,
 
 }  // namespace
 
-bool larger_is_worse(ReadOut read_out) { return read_out != ReadOut::hold_open && read_out != ReadOut::pop_up; }
+bool larger_is_worse(ReadOut read_out) {
+  return read_out != ReadOut::hold_open && read_out != ReadOut::pop_up && read_out != ReadOut::self_close;
+}
 
 std::optional<double> CaseReport::value(ReadOut read_out) const {
   switch (read_out) {
@@ -439,27 +410,49 @@ std::optional<double> CaseReport::value(ReadOut read_out) const {
         if (pin) most = std::max(most.value_or(0), pin->force);
       return most;
     }
+    case ReadOut::self_rise:
+      return self_rise ? std::optional(std::abs(self_rise->body_turn)) : std::nullopt;
+    case ReadOut::self_close:
+      return self_close ? std::optional(std::abs(self_close->body_turn)) : std::nullopt;
     default:
-      return std::nullopt;  // places
+      return std::nullopt;  // of no case
   }
 }
 
-std::optional<LoadReport> load_report(const Loads& loads, const FourBar& bars, std::span<const PrescribedPose> poses) {
-  const auto travel = LoadTravel::of(bars, poses);
-  if (!travel) return std::nullopt;
-  const StudiedTravel studied(loads, *travel, poses.front().pose);
+namespace {
+
+LoadReport report_of(const Loads& loads, const LoadTravel& travel, const Pose& body) {
+  const StudiedTravel studied(loads, travel, body);
   LoadReport report;
   const std::vector<LoadCase> cases = cases_of(loads);
-  for (const LoadCase& each : cases)
-    report.cases.push_back(CaseStudy(loads, each, studied, poses.front().pose).report());
+  for (const LoadCase& each : cases) report.cases.push_back(CaseStudy(loads, each, studied, body).report());
   for (std::size_t r = 0; r < read_outs; ++r) report.worst[r] = worst_of(static_cast<ReadOut>(r), report, cases);
   return report;
 }
 
-std::vector<LoadStation> load_curve(const Loads& loads, const LoadCase& of, const FourBar& bars,
+}  // namespace
+
+std::optional<LoadReport> load_report(const Loads& loads, const FourBar& bars, std::span<const PrescribedPose> poses) {
+  const auto travel = LoadTravel::of(bars, poses);
+  if (!travel) return std::nullopt;
+  const Pose& body = poses.front().pose;
+  const auto free = free_spring(loads);
+  if (!free) return report_of(loads, *travel, body);
+  const auto settled = settled_loads(loads, bars, poses);
+  LoadReport report = report_of(settled.found.value_or(loads), *travel, body);
+  if (settled.found)
+    report.best_f1 = std::get<GasSpring>(settled.found->springs[*free].law).f1;
+  else
+    report.worst = {};
+  report.why_no_f1 = settled.why_not;
+  return report;
+}
+
+std::vector<LoadStation> load_curve(const Loads& given, const LoadCase& of, const FourBar& bars,
                                     std::span<const PrescribedPose> poses, int between) {
   const auto travel = LoadTravel::of(bars, poses);
   if (!travel) return {};
+  const Loads loads = loads_as_used(given, bars, poses);
   const StudiedTravel studied(loads, *travel, poses.front().pose);
   const CaseStudy study(loads, of, studied, poses.front().pose);
   std::vector<LoadStation> stations;

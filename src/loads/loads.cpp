@@ -6,6 +6,7 @@
 
 #include "core/number_check.hpp"
 #include "linkwright/core/angle.hpp"
+#include "linkwright/loads/spring_charge.hpp"
 
 namespace linkwright {
 namespace {
@@ -25,6 +26,7 @@ class LoadMistakes {
     if (loads_.handle) handle(*loads_.handle);
     for (std::size_t k = 0; k < loads_.springs.size(); ++k)
       spring(loads_.springs[k], fmt::format("loads.springs[{}]", k));
+    free_strength();
     if (loads_.pins) {
       range(loads_.pins->radius, 0, largest_coordinate, "loads.pins.radius");
       range(loads_.pins->friction, 0, 2, "loads.pins.friction");
@@ -181,6 +183,29 @@ class LoadMistakes {
           "the forces are measured this far before both ends, which is less than half of the stroke");
   }
 
+  void free_strength() {
+    const auto free = free_spring(loads_);
+    if (!free) return;
+    const FreeStrength& strength = *std::get<GasSpring>(loads_.springs[*free].law).free;
+    const std::string place = fmt::format("loads.springs[{}].best_F1", *free);
+    range(strength.max_f1, least_f1, largest_coordinate, place + ".max_F1");
+    if (strength.min_f1) range(*strength.min_f1, 0, strength.max_f1, place + ".min_F1");
+    if (strength.min_hold_open) check_number(*strength.min_hold_open, "a force", place + ".min_hold_open", found_);
+    const auto is_free = [](const Spring& spring) {
+      const auto* gas = std::get_if<GasSpring>(&spring.law);
+      return gas && gas->free;
+    };
+    if (std::count_if(loads_.springs.begin(), loads_.springs.end(), is_free) > 1)
+      add("one_free_spring", place, "one spring at most leaves its strength free; give the others their F1");
+    if (!loads_.handle)
+      add("free_without_hand", place,
+          "the best strength is that with the least force of a hand; say where it takes hold: \"handle\": "
+          "{\"point\": [x, y]}");
+    const std::vector<LoadCase> cases = cases_of(loads_);
+    if (std::none_of(cases.begin(), cases.end(), [](const LoadCase& of) { return of.counts(ReadOut::hand_force); }))
+      add("free_without_case", place, "no case counts for \"hand_force\", by which the best strength is told");
+  }
+
   void drive() {
     if (loads_.drive == LoadDrive::hand && !loads_.handle)
       add("no_handle", "loads.handle",
@@ -220,6 +245,12 @@ class LoadMistakes {
 };
 
 }  // namespace
+
+std::optional<std::size_t> free_spring(const Loads& loads) {
+  for (std::size_t k = 0; k < loads.springs.size(); ++k)
+    if (const auto* gas = std::get_if<GasSpring>(&loads.springs[k].law); gas && gas->free) return k;
+  return std::nullopt;
+}
 
 std::string spring_name(const Loads& loads, std::size_t spring) {
   const std::string& given = loads.springs[spring].name;

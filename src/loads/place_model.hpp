@@ -10,6 +10,7 @@
 #include "linkwright/loads/spring_place.hpp"
 #include "loads/hand_study.hpp"
 #include "loads/line_envelope.hpp"
+#include "loads/place_pins.hpp"
 #include "loads/small_program.hpp"
 
 namespace linkwright {
@@ -17,8 +18,9 @@ namespace linkwright {
 /// Of a place of a spring: x and y of the stud on the ground, then of that on the body.
 using StudCoordinates = std::array<double, 4>;
 
-/// The least largest hand force of a spring by its studs, at the stations of a travel and without the friction of pins,
-/// and lower bounds of it over boxes of studs. All that does not depend on the studs is worked out once.
+/// The least largest hand force of a spring by its studs, at the stations of a travel, and lower bounds of it over
+/// boxes of studs. The bounds leave out the friction of pins, which only adds; values do so until with_pins(). All that
+/// does not depend on the studs is worked out once.
 ///
 /// Between studs p = d + e^{iθ} s on the body and q on the ground, l = |p − q| and its rate by the twist is
 /// l′ = ⟨n, v_p⟩ with n = (p − q)/l. The body is rigid, so that l l′ = ⟨p − q, v(p)⟩ = ⟨p − q, v(q)⟩, v(q) the velocity
@@ -29,6 +31,9 @@ class PlaceModel {
 
   [[nodiscard]] static FoundOrNot<PlaceModel> of(const HandStudy& study, const Pose& body, const Loads& loads,
                                                  const SpringWanted& wanted, int between);
+
+  /// Of the linear program of a bound: σ, the four offsets of the studs times σ, and the force.
+  static constexpr std::size_t program_unknowns = 6;
 
   /// A quantity over a box of studs, by station: its value in the middle, its slope by the four coordinates times half
   /// the box's sides, and what it differs from that at most.
@@ -69,11 +74,8 @@ class PlaceModel {
   /// The spring of a place.
   [[nodiscard]] Spring spring(const StudCoordinates& studs, const Value& of) const;
 
-  [[nodiscard]] std::size_t stations() const { return count_; }
-  [[nodiscard]] std::size_t cases() const { return of_case_.size(); }
-  [[nodiscard]] std::span<const double> turns() const { return turns_; }
-  /// Adds to the hand's force at a station, opening (+1) or closing (−1).
-  void add_friction(std::size_t of_case, std::size_t station, int sense, double force);
+  /// The same, whose values have the friction of pins, to first order, under the spring itself. The loads have pins.
+  [[nodiscard]] PlaceModel with_pins(const HandStudy& study, const Pose& body, const Loads& loads) const;
 
  private:
   /// A demand on the hand's force at a station.
@@ -110,6 +112,18 @@ class PlaceModel {
   void limit_charge(const OfCase& of, Room& room, Charges& charges) const;
   void fast_works(const OfCase& of, Room& room) const;
   [[nodiscard]] LeastTop least(Room& room, Charges& charges) const;
+  [[nodiscard]] LeastTop least_with_pins(const StudCoordinates& studs, Room& room, const LeastTop& start) const;
+  /// A row of the hand's force at a place, a + b σ and what pins add to it.
+  struct PlaceRow {
+    double a = 0, b = 0;
+    const PlacePins* pins = nullptr;
+    std::size_t station = 0;
+    int sense = 1;
+    PlacePins::Pushing spring;  ///< its force without charge
+    bool is_objective = false;
+    std::optional<double> limit;
+  };
+  [[nodiscard]] std::vector<PlaceRow> rows_at(const StudCoordinates& studs, Room& room) const;
   [[nodiscard]] double by_slopes(Room& room, const Charges& charges, double at_least, double enough) const;
   [[nodiscard]] std::size_t widest(const StudCoordinates& half, const Room& room, const LeastTop& least) const;
   void add_station(const LoadedPlace& place, const Pose& body, const std::vector<HandAt>& hand, bool is_last,
@@ -122,6 +136,7 @@ class PlaceModel {
   std::vector<double> dx_, dy_, cosine_, sine_, vx_, vy_, omega_;  ///< of the moving frame: place, axis, twist
   std::vector<double> handle_speed_;
   std::vector<OfCase> of_case_;
+  std::vector<PlacePins> pins_;  ///< by case; none: without their friction
   std::string name_;
   int number_ = 1;
   double ratio_ = 1, friction_ = 0, measured_at_ = 0, margin_ = 0;

@@ -7,6 +7,7 @@
 #include <limits>
 
 #include "linkwright/loads/load_report.hpp"
+#include "loads/free_strength.hpp"
 #include "loads/gas_charge.hpp"
 #include "loads/line_envelope.hpp"
 #include "loads/small_program.hpp"
@@ -345,6 +346,27 @@ FoundOrNot<SpringCharge> best_charge(const Loads& loads, const FourBar& bars, st
   if (!force) return {{}, locked()};
   answer.found->max_hand_force = *force;
   return answer;
+}
+
+FoundOrNot<Loads> settled_loads(const Loads& loads, const FourBar& bars, std::span<const PrescribedPose> poses) {
+  const auto free = free_spring(loads);
+  if (!free) return {loads, {}};
+  Loads others = with_f1(loads, strengths_of(*std::get<GasSpring>(loads.springs[*free].law).free).strongest);
+  const Spring spring = others.springs[*free];
+  others.springs.erase(others.springs.begin() + static_cast<std::ptrdiff_t>(*free));
+  const FreeStrength& asked = *std::get<GasSpring>(loads.springs[*free].law).free;
+  const SpringDemands demands{
+      .min_hold_open = held_open(asked), .min_f1 = strengths_of(asked).weakest, .max_f1 = asked.max_f1};
+  auto charge = best_charge(others, bars, poses, spring, demands);
+  if (!charge.found) return {{}, charge.why_not};
+  return {with_f1(loads, charge.found->best), {}};
+}
+
+Loads loads_as_used(const Loads& loads, const FourBar& bars, std::span<const PrescribedPose> poses) {
+  if (auto settled = settled_loads(loads, bars, poses); settled.found) return *std::move(settled.found);
+  Loads given = loads;
+  std::get<GasSpring>(given.springs[*free_spring(given)].law).free.reset();
+  return given;
 }
 
 FoundOrNot<CoilRate> best_coil(const Loads& loads, const FourBar& bars, std::span<const PrescribedPose> poses,

@@ -10,7 +10,6 @@
 #include "linkwright/loads/load_report.hpp"
 #include "loads/place_model.hpp"
 #include "loads/place_search.hpp"
-#include "loads/spring_rows.hpp"
 
 namespace linkwright {
 namespace {
@@ -145,27 +144,6 @@ struct Judging {
   }
 };
 
-/// A model with the friction that pins have under a spring, so many times, among the forces of its stations.
-PlaceModel with_pins(PlaceModel model, const Judging& by, const HandStudy& hand, const Spring& under, double times) {
-  const SpringRows rows = [&] {
-    SpringRows all(by.loads, hand, by.poses.front().pose, under, by.wanted.demands,
-                   [](std::size_t, double) { return SpringRows::Force{}; });
-    const auto notice = all.add(model.turns());
-    require(!notice, "stations of the model are stations of the hand");
-    return all;
-  }();
-  const auto added = rows.friction_of_pins(under);
-  if (!added) return model;
-  for (std::size_t i = 0; i < rows.rows().size(); ++i) {
-    const SpringRows::Row& row = rows.rows()[i];
-    const auto turns = model.turns();
-    const auto station =
-        static_cast<std::size_t>(std::lower_bound(turns.begin(), turns.end(), row.turn) - turns.begin());
-    model.add_friction(row.of_case, station, row.sense, times * (*added)[i]);
-  }
-  return model;
-}
-
 /// From a spring downhill by all friction: its stud coordinates one by one, by steps that halve where none helps.
 SpringCharge settled(const Judging& by, const PlaceModel& model, SpringCharge best, int most_looks) {
   constexpr double first_step = 0.05, last_step = 5e-4;  // of the boxes
@@ -198,12 +176,11 @@ SpringCharge settled(const Judging& by, const PlaceModel& model, SpringCharge be
 }
 
 /// The best of some places by all friction and the continuous travel. With pins, which may leave none of them that
-/// meets the demands, the grid is looked at again with their friction as it was under the best one.
+/// meets the demands, the grid is looked at again with their friction.
 FoundOrNot<SpringCharge> judged(const Judging& by, const HandStudy& hand, const PlaceModel& model,
                                 const std::vector<StudPlace>& places, int pin_looks) {
   constexpr std::size_t most_judged = 4, starts = 16;
-  constexpr int pin_turns = 3, along = 8;
-  constexpr double careful = 1.15;  // another spring may press harder on the pins
+  constexpr int along = 8;
   FoundOrNot<SpringCharge> best;
   const auto offer = [&](FoundOrNot<SpringCharge> answer) {
     if (answer.found && std::isfinite(answer.found->max_hand_force) &&
@@ -212,26 +189,20 @@ FoundOrNot<SpringCharge> judged(const Judging& by, const HandStudy& hand, const 
     else if (!answer.found && !best.found)
       best.why_not = answer.why_not;
   };
-  for (std::size_t k = 0; k < std::min(most_judged, places.size()); ++k) offer(by.charge(model, places[k]));
-  Spring under = model.spring(places.front().studs, places.front().value);
-  for (int turn = 0; turn < pin_turns && by.loads.pins; ++turn) {
-    if (best.found) under = best.found->spring;
-    const PlaceModel rubbing = with_pins(model, by, hand, under, best.found ? 1 : careful);
-    PlaceModel::Room arrays(rubbing);
-    StudPlace at{{under.from.at.real(), under.from.at.imag(), under.to.at.real(), under.to.at.imag()}, {}};
-    at.value = rubbing.value(at.studs, arrays);
-    std::vector<StudPlace> from = {at};
-    if (turn == 0 || !best.found) {
-      const std::vector<StudPlace> more = look_at_grid(rubbing, by.room, along, starts, {}).best;
-      from.insert(from.end(), more.begin(), more.end());
-    }
-    const auto ends = polished_all(rubbing, by.room, from, 2000, {});
-    if (ends.empty() || !std::isfinite(ends.front().value.force)) break;
-    for (std::size_t k = 0; k < std::min(most_judged, ends.size()); ++k)
-      if (std::isfinite(ends[k].value.force)) offer(by.charge(rubbing, ends[k]));
-    under = rubbing.spring(ends.front().studs, ends.front().value);
-  }
-  if (best.found && by.loads.pins) best.found = settled(by, model, *best.found, pin_looks);
+  const auto offer_first = [&](const PlaceModel& of, const std::vector<StudPlace>& found) {
+    for (std::size_t k = 0; k < std::min(most_judged, found.size()); ++k)
+      if (std::isfinite(found[k].value.force)) offer(by.charge(of, found[k]));
+  };
+  offer_first(model, places);
+  if (!by.loads.pins) return best;
+  const PlaceModel rubbing = model.with_pins(hand, by.poses.front().pose, by.loads);
+  PlaceModel::Room arrays(rubbing);
+  std::vector<StudPlace> from = look_at_grid(rubbing, by.room, along, starts, {}).best;
+  for (std::size_t k = 0; k < std::min(starts, places.size()); ++k)
+    if (const auto value = rubbing.value(places[k].studs, arrays); std::isfinite(value.force))
+      from.push_back({places[k].studs, value});
+  offer_first(rubbing, polished_all(rubbing, by.room, from, 3000, {}));
+  if (best.found) best.found = settled(by, rubbing, *best.found, pin_looks);
   return best;
 }
 

@@ -25,6 +25,9 @@ Point unit(Point v) {
   return length > 0 ? v / length : Point{1, 0};
 }
 
+/// None where both are at one place: a spring without length does nothing.
+Point direction_between(Point from, Point to) { return from == to ? Point{} : unit(to - from); }
+
 Point arm(const FourBar& bars, Link link) {
   switch (link) {
     case Link::input:
@@ -226,10 +229,10 @@ double coil_energy(const CoilSpring& coil, double length) {
 }  // namespace
 
 BoundLoads::SpringState BoundLoads::state(const Linear& spring, const LoadedPlace& place) const {
-  const Point along = place.position(spring.to) - place.position(spring.from);
+  const Point from = place.position(spring.from), to = place.position(spring.to);
   SpringState state;
-  state.length = length_of(along);
-  state.rate = dot(unit(along), place.velocity(spring.to) - place.velocity(spring.from));
+  state.length = length_of(to - from);
+  state.rate = dot(direction_between(from, to), place.velocity(spring.to) - place.velocity(spring.from));
   if (const auto* gas = std::get_if<GasLaw>(&spring.law)) {
     const double x = spring.extended - state.length;
     state.force = spring.percent * gas->force(x, spring.state);
@@ -264,7 +267,7 @@ Acting BoundLoads::acting(const LoadedPlace& place) const {
 
 void BoundLoads::add_spring(const Linear& spring, const LoadedPlace& place, Acting& all) const {
   const SpringState is = state(spring, place);
-  const Point along = unit(place.position(spring.to) - place.position(spring.from));
+  const Point along = direction_between(place.position(spring.from), place.position(spring.to));
   const auto add = [&](Resultants& to, double force) {
     to.add(place, spring.to, spring.count * force * along);
     to.add(place, spring.from, -spring.count * force * along);
@@ -373,7 +376,7 @@ std::optional<UnitEffort> BoundLoads::torque(const LoadedPlace& place, Link cran
 
 std::optional<UnitEffort> BoundLoads::cylinder(const LoadedPlace& place) const {
   constexpr double rests = 1e-9;
-  const Point along = unit(place.position(cylinder_to_) - place.position(cylinder_from_));
+  const Point along = direction_between(place.position(cylinder_from_), place.position(cylinder_to_));
   UnitEffort effort;
   effort.rate = dot(along, place.velocity(cylinder_to_) - place.velocity(cylinder_from_));
   if (!(std::abs(effort.rate) > rests * size_)) return std::nullopt;

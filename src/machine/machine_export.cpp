@@ -5,6 +5,7 @@
 #include <utility>
 
 #include "linkwright/files/length_unit.hpp"
+#include "linkwright/loads/spring_charge.hpp"
 #include "print_file.hpp"
 #include "simulator_file.hpp"
 #include "spring_parts.hpp"
@@ -19,7 +20,8 @@ constexpr std::array<std::string_view, 7> formats = {"step", "stl", "3mf", "plat
 std::optional<LinkageLoads> loads_on(const AnyStoredLinkage& linkage, const MachineWishes& wishes) {
   const auto* four_bar = std::get_if<StoredLinkage>(&linkage);
   if (!wishes.loads || !four_bar || four_bar->poses.empty()) return std::nullopt;
-  return LinkageLoads{*wishes.loads, four_bar->four_bar, four_bar->poses};
+  return LinkageLoads{loads_as_used(*wishes.loads, four_bar->four_bar, four_bar->poses), four_bar->four_bar,
+                      four_bar->poses};
 }
 
 Result<std::string> assembly(Machine made, const std::optional<LinkageLoads>& loads, int position) {

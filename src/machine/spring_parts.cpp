@@ -5,6 +5,7 @@
 #include <variant>
 
 #include "loads/carried.hpp"
+#include "machine/unlike_names.hpp"
 
 namespace linkwright {
 namespace {
@@ -16,8 +17,10 @@ class SpringWorkshop {
   SpringWorkshop(const Machine& machine, const LinkageLoads& on, const MovingState& state)
       : machine_(machine), on_(on), state_(state) {
     double top = 0, thickest = stud_radius();
-    for (const Part& part : machine.parts)
+    for (const Part& part : machine.parts) {
+      names_.take(part.name);
       if (const auto* plate = std::get_if<FlatPlate>(&part.shape)) top = std::max(top, plate->high);
+    }
     for (const Spring& spring : on.loads.springs)
       if (const auto* gas = std::get_if<GasSpring>(&spring.law))
         thickest = std::max(thickest, tube_by_rod * rod_radius(*gas));
@@ -39,6 +42,10 @@ class SpringWorkshop {
   }
 
  private:
+  /// A spring may be called as another is by its number, or "cylinder".
+  void add(const std::string& name, int body, const RoundPin& shape) {
+    parts_.push_back({names_.unlike_others(name), body, shape});
+  }
   [[nodiscard]] double stud_radius() const { return machine_.sizes.pin / 2; }
   [[nodiscard]] double rod_radius(const GasSpring& gas) const {
     return gas.rod_diameter > 0 ? gas.rod_diameter / machine_.linkage.millimetres() / 2 : stud_radius();
@@ -56,10 +63,10 @@ class SpringWorkshop {
     make_stud("stud_" + name + "_from", from);
     make_stud("stud_" + name + "_to", to);
   }
-  void make_stud(std::string name, const CarriedPoint& stud) {
+  void make_stud(const std::string& name, const CarriedPoint& stud) {
     const int body = moving_body(stud.on);
     const double low = std::get<FlatPlate>(machine_.parts[static_cast<std::size_t>(body)].shape).low;
-    parts_.push_back({std::move(name), body, RoundPin{place(stud, low), place(stud, reach_), stud_radius()}});
+    add(name, body, RoundPin{place(stud, low), place(stud, reach_), stud_radius()});
   }
 
   /// Between the studs' faces.
@@ -69,8 +76,8 @@ class SpringWorkshop {
     const double reach = gas.extended_length - gas.stroke - 2 * stud;  // of the tube from the middle of its stud
     if (!(reach > 2 * stud && length > reach + 1.5 * stud)) return;
     const Vector3 along = (to - from) / length, end = to - reach * along;
-    parts_.push_back({name + "_tube", 0, RoundPin{end, to - stud * along, tube_by_rod * rod_radius(gas)}});
-    parts_.push_back({name + "_rod", 0, RoundPin{from + stud * along, end, rod_radius(gas)}});
+    add(name + "_tube", 0, RoundPin{end, to - stud * along, tube_by_rod * rod_radius(gas)});
+    add(name + "_rod", 0, RoundPin{from + stud * along, end, rod_radius(gas)});
   }
 
   const Machine& machine_;
@@ -78,6 +85,7 @@ class SpringWorkshop {
   const MovingState& state_;
   double plane_ = 0, reach_ = 0;
   std::vector<Part> parts_;
+  UnlikeNames names_;
 };
 
 }  // namespace

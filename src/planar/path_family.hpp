@@ -45,7 +45,7 @@ class PathFamily : public FourBarFamily {
 
   [[nodiscard]] LinkageOutput output_of(MapPoint place, const FourBar& bars) const override;
   [[nodiscard]] std::optional<LinkageOutput> output_form() const override;
-  /// None.
+  /// None: rows of a map share no input link, and its cells no poses of the body.
   [[nodiscard]] std::shared_ptr<const FourBarCells> four_bar_cells(const RegionMap& map) const override;
 };
 

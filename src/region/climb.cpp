@@ -76,6 +76,12 @@ double Evaluator::size(const Candidate& of) const {
   return longest == measures.end() ? 1 : of.cell.values[static_cast<std::size_t>(longest - measures.begin())];
 }
 
+double Evaluator::same_within(const Candidate& candidate, double usual) const {
+  constexpr double rounding = 1e-9;
+  const bool is_discrete = family_.axis(Side::input).is_discrete() && family_.axis(Side::output).is_discrete();
+  return is_discrete ? rounding * size(candidate) : different_design * usual;
+}
+
 Candidate climbed(const Evaluator& evaluator, const Candidate& start, const Ascent& ascent, const Progress& progress) {
   const double least_margin = std::min(buildable_margin, start.cell.change_point_margin);
   const auto candidate_at = evaluator.candidates();

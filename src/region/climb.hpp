@@ -20,6 +20,9 @@ struct Candidate {
 /// Better first; ties by the place.
 [[nodiscard]] bool is_better_candidate(const Candidate& a, const Candidate& b);
 
+/// Two linkages count as different designs at this share of what designs of the task are long.
+inline constexpr double different_design = 0.02;
+
 /// Judges and ranks any place of a family's map by the same rules as its cells. Refers to the family, which must
 /// outlive it.
 class Evaluator {
@@ -44,6 +47,9 @@ class Evaluator {
   /// Between two designs, and what that is measured by: the longest link, on the unit sphere 1.
   [[nodiscard]] double distance(const Candidate& a, const Candidate& b) const;
   [[nodiscard]] double size(const Candidate& of) const;
+  /// Within which distance of it another is the same design, where designs of the task are `usual` long. Pairs of a few
+  /// dyads are each a design, however alike they are beside the largest of them.
+  [[nodiscard]] double same_within(const Candidate& candidate, double usual) const;
 
  private:
   [[nodiscard]] std::optional<Candidate> judged(const Cell& cell) const;

@@ -85,8 +85,8 @@ class LinkageSearch {
   }
 
  private:
-  // Two linkages count as different designs at this share of what designs of the task are long.
-  static constexpr double different_design = 0.02, clearly_different_design = 0.15;
+  // A share as different_design.
+  static constexpr double clearly_different_design = 0.15;
 
   // A climb that tells which hill is the better, and one that makes the numbers exact: along a ridge that is all but
   // level the top is lost in the noise of a search across it that is not far finer. Steps in shares of a step of the
@@ -180,11 +180,9 @@ class LinkageSearch {
     return feet;
   }
 
-  /// What a design differs from others by at least. Pairs of a few dyads are each a design, however alike they are
-  /// beside the largest of them.
+  /// What a design differs from others by at least.
   [[nodiscard]] double same_within(const Candidate& candidate) const {
-    constexpr double rounding = 1e-9;
-    return is_discrete_ ? rounding * evaluator_.size(candidate) : different_design * size_;
+    return evaluator_.same_within(candidate, size_);
   }
 
   /// Sorted, without those that are the same design as a better one.

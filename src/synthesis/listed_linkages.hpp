@@ -17,7 +17,8 @@ namespace linkwright {
 /// Lists those of these places, in this order, with all that is known of each.
 void list_again(Answer& answer, std::span<const std::size_t> places);
 
-/// Lists what another answer to the same task lists, with all that is known of each.
-void take_list(Answer& answer, Answer other);
+/// Lists what another answer to the same task lists, too, with all that is known of each: best first by the objective,
+/// of one design the one that ranks first, no more than are asked for.
+void merge_list(Answer& answer, Answer other);
 
 }  // namespace linkwright

@@ -32,7 +32,7 @@ Result<Answer> searched(const Problem& problem, const Requirements& requirements
 }
 
 /// A climb that ends at a limit by the estimate of a map may be beyond it by the figures listed: another search keeps a
-/// distance from the limits. Its list takes the place of one that came out shorter.
+/// distance from the limits, and what it lists is listed, too.
 void search_with_room(const Problem& problem, const Requirements& with_room, std::size_t told_before, Answer& answer,
                       const Progress& progress) {
   Progress quiet;  // what was told as done is not told as begun again
@@ -43,11 +43,12 @@ void search_with_room(const Problem& problem, const Requirements& with_room, std
   other.requirements = found.requirements;
   const std::size_t told_by_search = other.warnings.size();
   report_analyses(*again, quiet);
-  if (progress.is_cancelled() || linkage_count(*again) <= linkage_count(answer)) return;
+  if (progress.is_cancelled() || linkage_count(*again) == 0) return;
   found.warnings.resize(told_before);
   found.warnings.insert(found.warnings.end(), other.warnings.begin() + static_cast<std::ptrdiff_t>(told_by_search),
                         other.warnings.end());
-  take_list(answer, std::move(*again));
+  merge_list(answer, std::move(*again));
+  analyses_of_list(answer);
 }
 
 }  // namespace

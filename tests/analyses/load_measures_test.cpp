@@ -1,5 +1,7 @@
+#include <algorithm>
 #include <cmath>
 #include <gtest/gtest.h>
+#include <limits>
 
 #include "analyses/loads/loads_analysis.hpp"
 #include "linkwright/core/angle.hpp"
@@ -7,6 +9,7 @@
 #include "linkwright/planar/task_family.hpp"
 #include "linkwright/region/region_map.hpp"
 #include "loads/cell_loads.hpp"
+#include "loads/free_strength.hpp"
 #include "support/draws.hpp"
 #include "support/file_support.hpp"
 #include "support/load_cases.hpp"
@@ -111,9 +114,11 @@ TEST(LoadMeasures, AreTheSameInPacksAsOneByOne) {
             continue;
           }
           const auto output = of.output(cell / of.map.columns(), cell % of.map.columns());
-          const auto alone = CellLoads(loads, output, CellLook::map).read_out(read_out_of(measure).value());
+          const ReadOut read_out = read_out_of(measure).value();
+          const auto alone = CellLoads(loads, output, CellLook::map).read_out(read_out);
           if (!alone || std::abs(*alone) > 1e5) continue;
-          EXPECT_NEAR(values[cell], *alone, 1e-4 + 1e-6 * std::abs(*alone)) << measure.key << " " << cell;
+          const double expected = measure_unit(read_out) * *alone;
+          EXPECT_NEAR(values[cell], expected, 1e-4 + 1e-6 * std::abs(expected)) << measure.key << " " << cell;
           ++compared;
         }
       }
@@ -134,14 +139,122 @@ TEST(LoadMeasures, AreNearThoseOfListsWhereASearchLooks) {
     const std::size_t row = cell / of.map.columns(), column = cell % of.map.columns();
     const auto report = load_report(loads, of.output(row, column).positions.front().bars, poses).value();
     for (const AddedMeasure& each : added.all) {
-      const auto& worst = report.worst_of(read_out_of(each.measure->measure()).value());
+      const ReadOut read_out = read_out_of(each.measure->measure()).value();
+      if (read_out == ReadOut::hand_force_error) continue;  // of the stations of a map
+      const auto& worst = report.worst_of(read_out);
       if (!worst || std::abs(worst->value) > 1e4) continue;
-      EXPECT_NEAR(each.measure->at(of.place(row, column)).value(), worst->value, each.margin_of(worst->value))
+      const double listed = measure_unit(read_out) * worst->value;
+      EXPECT_NEAR(each.measure->at(of.place(row, column)).value(), listed, each.margin_of(listed))
           << each.measure->measure().key;
     }
     ++compared;
   }
   EXPECT_GT(compared, 20);
+}
+
+/// The tailgate's, its struts of any strength.
+Loads with_free_struts() {
+  Loads loads = everything(LoadDrive::hand);
+  loads.pins.reset();
+  std::get<GasSpring>(loads.springs.front().law).free = FreeStrength{.max_f1 = 900, .min_hold_open = 5};
+  return loads;
+}
+
+/// What a map has of its linkages without defects, and what lists have of them.
+struct MapAndList {
+  double of_map, listed, error;
+};
+std::vector<MapAndList> in_map_and_list(const Loads& loads, const Measure& measure) {
+  LoadedMap of(24);
+  const std::vector<PrescribedPose>& poses = testing::motion(testing::tailgate()).poses;
+  const auto values = column_of(of, loads, measure);
+  const auto errors = of.map.values(measures::hand_force_error);
+  std::vector<MapAndList> found;
+  for (std::size_t cell = 0; cell < values.size(); ++cell) {
+    // Near dead points no number of stations tells the largest force.
+    if (!of.map.defects(cell).none() || of.map.min_transmission_angle(cell) < radians(15)) continue;
+    const auto output = of.output(cell / of.map.columns(), cell % of.map.columns());
+    const auto report = load_report(loads, output.positions.front().bars, poses).value();
+    const ReadOut read_out = read_out_of(measure).value();
+    const auto listed = read_out == ReadOut::best_f1 ? report.best_f1
+                        : report.worst_of(read_out)
+                            ? std::optional(measure_unit(read_out) * report.worst_of(read_out)->value)
+                            : std::nullopt;
+    if (listed && std::abs(*listed) < 1e3 && std::isfinite(values[cell]))
+      found.push_back({values[cell], *listed, errors[cell]});
+  }
+  return found;
+}
+
+/// How many are within.
+template <class Within>
+double share_within(const std::vector<MapAndList>& all, const Within& within) {
+  return static_cast<double>(std::count_if(all.begin(), all.end(), within)) / static_cast<double>(all.size());
+}
+
+TEST(LoadMeasures, ToldErrorsOfStationsCoverNearlyAll) {
+  Loads given = with_free_struts();
+  std::get<GasSpring>(given.springs.front().law).free.reset();
+  for (const Loads& loads : {given, with_free_struts()}) {
+    const auto all = in_map_and_list(loads, measures::hand_force);
+    ASSERT_GT(all.size(), 50U);
+    EXPECT_GT(share_within(all, [](const auto& of) { return std::abs(of.of_map - of.listed) <= of.error; }), 0.95);
+    EXPECT_GT(share_within(all, [](const auto& of) { return std::abs(of.of_map - of.listed) <= 4 * of.error; }), 0.97);
+  }
+}
+
+TEST(LoadMeasures, TellTheStrengthThatListsFind) {
+  const auto all = in_map_and_list(with_free_struts(), measures::best_f1);
+  ASSERT_GT(all.size(), 50U);
+  EXPECT_GT(share_within(all, [](const auto& of) { return std::abs(of.of_map - of.listed) <= 2 + 0.01 * of.listed; }),
+            0.95);
+}
+
+// No other F1 does better at the stations, and none below or above it holds open.
+TEST(LoadMeasures, TellTheStrengthThatASlowSearchFinds) {
+  LoadedMap of(16);
+  const Loads loads = with_free_struts();
+  const FreeStrength free = *std::get<GasSpring>(loads.springs.front().law).free;
+  const auto values = column_of(of, loads, measures::best_f1);
+  const auto forces = of.map.values(measures::hand_force);
+  // Of the stations alone, without parabolas between them.
+  const auto at_stations = [&](const PlanarOutput& output, double f1) {
+    const Loads with = with_f1(loads, f1);
+    double most = -1e300, least_hold = 1e300;
+    for (const LoadCase& each : with.cases) {
+      const auto curve = load_curve(with, each, output.positions.front().bars, poses_of(output), 4);
+      for (const LoadStation& at : curve)
+        if (each.counts(ReadOut::hand_force)) most = std::max({most, at.open.value(), at.close.value()});
+      least_hold = std::min(least_hold, -curve.back().open.value());
+    }
+    return least_hold >= *free.min_hold_open ? most : std::numeric_limits<double>::infinity();
+  };
+  int compared = 0;
+  for (std::size_t cell = 0; cell < values.size() && compared < 12; ++cell) {
+    if (!of.map.defects(cell).none() || of.map.min_transmission_angle(cell) < radians(15)) continue;
+    const auto output = of.output(cell / of.map.columns(), cell % of.map.columns());
+    double best = std::numeric_limits<double>::infinity(), at = 0;
+    for (double f1 = 1; f1 <= free.max_f1; f1 += 0.5)
+      if (const double force = at_stations(output, f1); force < best) best = force, at = f1;
+    EXPECT_EQ(std::isinf(values[cell]), std::isinf(best)) << cell;
+    if (std::isinf(best)) continue;
+    EXPECT_NEAR(values[cell], at, 0.51) << cell;
+    EXPECT_GE(forces[cell], best - 2) << cell;
+    ++compared;
+  }
+  EXPECT_EQ(compared, 12);
+}
+
+TEST(LoadMeasures, TellTheTurnsThatListsFind) {
+  for (const Measure& measure : {measures::self_rise, measures::self_close}) {
+    Loads loads = everything(LoadDrive::hand);
+    loads.pins.reset();  // their friction is of first order in maps
+    loads.cases.resize(1);
+    const auto all = in_map_and_list(loads, measure);
+    ASSERT_GT(all.size(), 20U) << measure.key;
+    EXPECT_GT(share_within(all, [](const auto& of) { return std::abs(of.of_map - of.listed) <= 1; }), 0.9)
+        << measure.key;
+  }
 }
 
 // What is between ground and body does the same work in all linkages of the map.

@@ -1,11 +1,14 @@
 #include <array>
 #include <cmath>
+#include <cstdint>
+#include <cstring>
 #include <filesystem>
 #include <gtest/gtest.h>
 #include <random>
 #include <string>
 #include <vector>
 
+#include "analyses/loads/four_bar_loads.hpp"
 #include "analyses/loads/loads_analysis.hpp"
 #include "linkwright/core/angle.hpp"
 #include "linkwright/files/problem_file.hpp"
@@ -31,6 +34,7 @@ class RandomLoads {
       if (is_one_in(3)) *link = link_mass();
     for (int k = whole(0, 3); k > 0; --k) loads.extra.push_back(extra("load " + std::to_string(k)));
     for (int k = whole(0, 4); k > 0; --k) loads.springs.push_back(spring());
+    if (is_one_in(3)) leave_free(loads);
     using Direction = Handle::Direction;
     loads.handle = Handle{
         point(150), std::array{Direction::tangential, Direction::vertical, Direction::fixed}[index(3)], in(-3, 3)};
@@ -81,6 +85,16 @@ class RandomLoads {
     }
     return spring;
   }
+  /// The first gas spring.
+  void leave_free(Loads& loads) {
+    for (Spring& spring : loads.springs)
+      if (auto* gas = std::get_if<GasSpring>(&spring.law)) {
+        gas->free = FreeStrength{.max_f1 = in(200, 2000)};
+        if (is_one_in(2)) gas->free->min_f1 = in(1, 100);
+        if (is_one_in(2)) gas->free->min_hold_open = in(-30, 30);
+        return;
+      }
+  }
   LoadCase load_case(const Loads& loads, std::string name) {
     LoadCase of{.name = std::move(name), .temperature = in(-30, 60), .slope = in(-0.1, 0.1)};
     for (const ExtraLoad& load : loads.extra)
@@ -98,42 +112,82 @@ struct Compared {
   int none = 0, infinite = 0;  ///< where one by one there is no value; of these in packs
 };
 
-/// Columns of a map, or those of them that ask for no pins, as they are filled together.
-std::vector<Measure> fill(const LinkageFamily& family, RegionMap& map, const Loads& loads, bool with_pins) {
+/// Measures of a map, or those of them that ask for no pins.
+std::vector<Measure> asked(const LinkageFamily& family, const Loads& loads, bool with_pins) {
+  std::vector<Measure> measures;
+  for (const AddedMeasure& each : load_measures(family, loads).all)
+    if (with_pins || each.measure->measure() != measures::max_pin_force) measures.push_back(each.measure->measure());
+  return measures;
+}
+
+std::uint32_t bits(float value) {
+  std::uint32_t bits = 0;
+  std::memcpy(&bits, &value, sizeof bits);
+  return bits;
+}
+
+using Columns = std::vector<std::vector<float>>;
+
+/// As they are filled together, which is the same by every instruction set that there is.
+Columns filled(const LinkageFamily& family, const RegionMap& map, const Loads& loads,
+               const std::vector<Measure>& measures) {
   const AddedMeasures added = load_measures(family, loads);
-  std::vector<Measure> filled;
-  for (const AddedMeasure& each : added.all)
-    if (with_pins || each.measure->measure() != measures::max_pin_force) filled.push_back(each.measure->measure());
-  if (!filled.empty()) map.add(filled, added.find(filled.front())->together->rows_of(map, filled));
-  return filled;
+  const auto fill = [&](const CellMeasures::Rows& rows) {
+    Columns columns(measures.size(), std::vector<float>(map.types().size()));
+    for (std::size_t row = 0; row < map.rows(); ++row) {
+      std::vector<std::span<float>> places;
+      for (auto& column : columns) places.push_back(std::span(column).subspan(row * map.columns(), map.columns()));
+      rows(row, places);
+    }
+    return columns;
+  };
+  Columns columns = fill(added.find(measures.front())->together->rows_of(map, measures));
+  auto links = family.four_bar_cells(map);
+  if (!fits_lanes(loads, links->positions())) return columns;
+  std::vector<ReadOut> read_outs;
+  for (const Measure& measure : measures) read_outs.push_back(read_out_of(measure).value());
+  const auto body = family.output({map.input_coordinates()[0], map.output_coordinates()[1]});
+  const auto& planar = std::get<PlanarOutput>(body.value());
+  for (const Simd simd : {Simd::scalar, Simd::baseline, Simd::avx2, Simd::avx512}) {
+    if (!is_supported(simd)) continue;
+    const Columns by = fill(four_bar_loads(family.four_bar_cells(map), map, loads, read_outs,
+                                           {planar.positions.front().point, planar.body_angle}, simd));
+    for (std::size_t k = 0; k < by.size(); ++k)
+      for (std::size_t cell = 0; cell < by[k].size(); ++cell)
+        EXPECT_EQ(bits(by[k][cell]), bits(columns[k][cell]))
+            << name(simd) << " " << measures[k].key << " of cell " << cell;
+  }
+  return columns;
 }
 
 /// Every cell of a map, against CellLoads.
-Compared compare(const LinkageFamily& family, RegionMap& map, const Loads& loads, bool with_pins) {
+Compared compare(const LinkageFamily& family, const RegionMap& map, const Loads& loads, bool with_pins) {
   Compared count;
-  const std::vector<Measure> filled = fill(family, map, loads, with_pins);
+  const std::vector<Measure> measures = asked(family, loads, with_pins);
+  const Columns columns = filled(family, map, loads, measures);
   for (std::size_t cell = 0; cell < map.types().size(); ++cell) {
     const MapPoint place = {map.input_coordinates()[cell / map.columns()],
                             map.output_coordinates()[cell % map.columns()]};
     const bool is_whole = map.type(cell) != LinkageType::degenerate && map.defects(cell).none();
     const auto output = is_whole ? family.output(place) : std::nullopt;
-    for (const Measure& measure : filled) {
-      const double found = map.values(measure)[cell];
+    for (std::size_t k = 0; k < measures.size(); ++k) {
+      const double found = columns[k][cell];
       if (!is_whole) {
         EXPECT_TRUE(map.type(cell) == LinkageType::degenerate ? found == 0 : std::isinf(found));
         continue;
       }
-      const auto alone =
-          CellLoads(loads, std::get<PlanarOutput>(*output), CellLook::map).read_out(read_out_of(measure).value());
+      const ReadOut read_out = read_out_of(measures[k]).value();
+      const auto alone = CellLoads(loads, std::get<PlanarOutput>(*output), CellLook::map).read_out(read_out);
       ++count.values;
       if (!alone) {
         ++count.none;
-        count.infinite += std::isinf(found) && (found > 0) == larger_is_worse(read_out_of(measure).value());
+        count.infinite += std::isinf(found) && (found > 0) == larger_is_worse(read_out);
         continue;
       }
       // Near dead points rounding decides how large a force is.
-      if (std::abs(*alone) > 1e5) continue;
-      EXPECT_NEAR(found, *alone, 1e-4 + 2e-6 * std::abs(*alone)) << measure.key << " of cell " << cell;
+      const double expected = measure_unit(read_out) * *alone;
+      if (std::abs(expected) > 1e5) continue;
+      EXPECT_NEAR(found, expected, 1e-4 + 2e-6 * std::abs(expected)) << measures[k].key << " of cell " << cell;
       ++count.numbers;
     }
   }
@@ -164,6 +218,40 @@ TEST_P(RandomLoadsOnMaps, AreTheSameInPacksAsOneByOne) {
   EXPECT_GT(all.values, 300);
   EXPECT_GT(all.numbers, 0.9 * (all.values - all.none));
   EXPECT_GE(all.infinite, 0.98 * all.none);  // rounding decides whether a handle rests
+}
+
+// From the fixed pivot of the input link of a row to the same place on the ground.
+TEST(LoadsOnMaps, SpringsWithoutLengthDoNothing) {
+  const auto file = std::filesystem::path(LINKWRIGHT_EXAMPLES_DIR) / "tailgate.json";
+  const TaskFamily given = task_family(testing::motion(read_problem_file(file).value()), {}, Objective::size);
+  RegionMap map;
+  const auto along = [&](Side side) { return given.family->samples(side, 25, Spacing::coordinate); };
+  given.family->classify(map, along(Side::input), along(Side::output), true);
+  Loads loads;
+  loads.metres = 0.001;
+  loads.body = BodyMass{20, {40, 120}, 0};
+  loads.handle = Handle{{-5, -70}, Handle::Direction::tangential, 0};
+  int compared = 0;
+  for (std::size_t cell = 0; cell < map.types().size(); ++cell) {
+    const std::size_t row = cell / map.columns(), column = cell % map.columns();
+    if (map.type(cell) == LinkageType::degenerate || !map.defects(cell).none()) continue;
+    const auto output = given.family->output({map.input_coordinates()[row], map.output_coordinates()[column]});
+    const Point pivot = std::get<PlanarOutput>(output.value()).positions.front().bars.input_fixed;
+    Spring spring{
+        .name = {}, .count = 1, .from = {LoadedBody::ground, pivot}, .to = {LoadedBody::input, {}}, .law = {}};
+    spring.law = compared % 2 == 0
+                     ? std::variant<GasSpring, CoilSpring, TorsionSpring>(CoilSpring{3, 50})
+                     : GasSpring{.extended_length = 300, .stroke = 200, .f1 = 300, .f2 = 400, .friction = 9};
+    loads.springs = {spring};
+    const std::vector<Measure> measures = asked(*given.family, loads, true);
+    const Columns with = filled(*given.family, map, loads, measures);
+    loads.springs.clear();
+    const Columns without = filled(*given.family, map, loads, measures);
+    for (std::size_t k = 0; k < measures.size(); ++k)
+      EXPECT_NEAR(with[k][cell], without[k][cell], 1e-6 * std::abs(without[k][cell])) << measures[k].key;
+    if (++compared == 8) break;
+  }
+  EXPECT_EQ(compared, 8);
 }
 
 INSTANTIATE_TEST_SUITE_P(Examples, RandomLoadsOnMaps, ::testing::Values("bin_lid", "tailgate", "nose_gear"));

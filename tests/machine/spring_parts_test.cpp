@@ -2,6 +2,7 @@
 
 #include <gtest/gtest.h>
 #include <map>
+#include <set>
 #include <variant>
 
 #include "loads/carried.hpp"
@@ -69,6 +70,23 @@ TEST(SpringParts, OfTorsionSpringsThereIsNothing) {
   ASSERT_EQ(studs.size(), 2U);
   EXPECT_EQ(studs[1].name, "stud_cylinder_to");
   EXPECT_EQ(studs[1].body, 1);
+}
+
+// A spring without a name is told by its number, which another may be called.
+TEST(SpringParts, NoTwoPartsHaveOneName) {
+  auto [made, on] = tailgate();
+  Spring unnamed = on.loads.springs.front(), named = unnamed, other = unnamed;
+  unnamed.name = "";
+  named.name = "spring_1";
+  other.name = "cylinder";
+  on.loads.springs = {unnamed, named, other};
+  on.loads.drive = LoadDrive::cylinder;
+  on.loads.cylinder = {{LoadedBody::ground, {0, 0}}, {LoadedBody::input, {50, 0}}};
+  std::set<std::string> names;
+  const std::vector<Part> parts = spring_parts(made, on, 0);
+  for (const Part& part : parts) names.insert(part.name);
+  EXPECT_EQ(parts.size(), 3U * 4 + 2);
+  EXPECT_EQ(names.size(), parts.size());
 }
 
 }  // namespace

@@ -1,10 +1,13 @@
 // Judges one build of the forces in a four-bar: their work by differences of energies, inertia by differences of the
-// kinetic energy, and pins by the balance of each link cut free. Prints the number of disagreements; exits with 1 when
-// there are any. mutants.py builds it with wrong signs.
+// kinetic energy, and pins by the balance of each link cut free. Prints the number of disagreements, and exits with 1
+// when there are any, or when too few of the checks could be made to say anything. mutants.py builds it with wrong
+// signs.
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <cstdio>
+#include <optional>
 
 #include "linkwright/core/angle.hpp"
 #include "linkwright/mechanism/position.hpp"
@@ -15,6 +18,9 @@ namespace linkwright {
 namespace {
 
 constexpr double step = 1e-5, alike = 1e-6;
+
+/// What a check says; nothing where it cannot be made.
+using Verdict = std::optional<bool>;
 
 bool differ(double one, double other, double scale) { return !(std::abs(one - other) <= alike * scale); }
 
@@ -67,10 +73,10 @@ Loads random_loads(testing::RandomFourBars& random) {
 }
 
 /// Power of what acts is what its energy loses; velocities are what positions change by.
-bool does_its_work(const Travelling& on, const Loads& loads, double turn) {
+Verdict does_its_work(const Travelling& on, const Loads& loads, double turn) {
   const BoundLoads bound(loads, LoadCase{}, on.first, {{0.3, -0.2}, 0.4});
   const auto here = on.at(turn), high = on.at(turn + step), low = on.at(turn - step);
-  if (!here || !high || !low || testing::transmission_sine(here->bars) < 0.3) return true;
+  if (!here || !high || !low || testing::transmission_sine(here->bars) < 0.3) return std::nullopt;
   const double power = bound.resultants(*here).power(*here) / here->twist.input;
   const double energy = (bound.energy(*high) - bound.energy(*low)) / (2 * step);
   if (differ(power, -energy, 200 + std::abs(energy))) return false;
@@ -90,7 +96,7 @@ double kinetic_energy(const Travelling& on, const Loads& loads, double turn) {
 }
 
 /// Inertia takes from the drive what the body's motion gains; its centre is where the hand is.
-bool keeps_energy_in_motion(const Travelling& on, Loads loads) {
+Verdict keeps_energy_in_motion(const Travelling& on, Loads loads) {
   constexpr double wide = 2e-4, coarse = 1e-3;
   const Handle handle = *loads.handle;
   const double mass = loads.body->mass, inertia = loads.body->inertia;
@@ -103,7 +109,7 @@ bool keeps_energy_in_motion(const Travelling& on, Loads loads) {
   const BoundLoads bound(loads, LoadCase{}, on.first, {{0.3, -0.2}, 0.4});
   const auto here = on.at(0);
   const double gained = (kinetic_energy(on, loads, wide) - kinetic_energy(on, loads, -wide)) / (2 * wide);
-  if (!here || !std::isfinite(gained)) return true;
+  if (!here || !std::isfinite(gained)) return std::nullopt;
   const double power = bound.resultants(*here).power(*here) / here->twist.input;
   return std::abs(power + gained) <= coarse * (1 + std::abs(gained) + kinetic_energy(on, loads, 0));
 }
@@ -119,16 +125,16 @@ struct Cut {
 
 /// Each link is in balance under what acts on it, the forces of its joints, the hand, and the moments of friction,
 /// which oppose the turning of their joints.
-bool is_in_balance(const Travelling& on, Loads loads, int sense) {
+Verdict is_in_balance(const Travelling& on, Loads loads, int sense) {
   loads.springs.clear();
   loads.pins = PinFriction{0.02, 0.3};
   constexpr double slope = 0.2;
   const BoundLoads bound(loads, LoadCase{.name = "", .slope = slope}, on.first, {{0.3, -0.2}, 0.4});
   const auto place = on.at(0);
   const auto hand = place ? bound.hand(*place) : std::nullopt;
-  if (!hand) return true;
+  if (!hand) return std::nullopt;
   const Push push = bound.push(*place, *hand, sense, PinFrictionModel::exact);
-  if (push.locks) return true;
+  if (push.locks) return std::nullopt;
   const FourBar& bars = place->bars;
   const Point gravity = std::polar(loads.gravity->acceleration, loads.gravity->direction - slope);
   std::array<Cut, 3> links;
@@ -169,17 +175,27 @@ bool is_in_balance(const Travelling& on, Loads loads, int sense) {
   });
 }
 
-int disagreements() {
+struct Tally {
+  int made = 0, disagree = 0;
+
+  void add(const Verdict& verdict) {
+    made += verdict.has_value();
+    disagree += verdict == false;
+  }
+};
+
+/// Of work, motion and balance.
+std::array<Tally, 3> tallies() {
   testing::RandomFourBars random(35);
-  int found = 0;
+  std::array<Tally, 3> found;
   for (int i = 0; i < 300; ++i) {
     const FourBar bars = random.four_bar();
     const Loads loads = random_loads(random);
     if (testing::transmission_sine(bars) < 0.3 || bars.lengths().shortest() < 0.3) continue;
     const Travelling on(bars);
-    found += !does_its_work(on, loads, random.uniform(-0.2, 0.2));
-    found += !keeps_energy_in_motion(on, loads);
-    found += !is_in_balance(on, loads, i % 2 == 0 ? 1 : -1);
+    found[0].add(does_its_work(on, loads, random.uniform(-0.2, 0.2)));
+    found[1].add(keeps_energy_in_motion(on, loads));
+    found[2].add(is_in_balance(on, loads, i % 2 == 0 ? 1 : -1));
   }
   return found;
 }
@@ -188,7 +204,11 @@ int disagreements() {
 }  // namespace linkwright
 
 int main() {
-  const int found = linkwright::disagreements();
-  std::printf("%d disagreements\n", found);
-  return found > 0 ? 1 : 0;
+  constexpr int least = 60;
+  bool is_right = true;
+  for (const auto& [made, disagree] : linkwright::tallies()) {
+    std::printf("%d checks, %d disagreements\n", made, disagree);
+    is_right = is_right && made >= least && disagree == 0;
+  }
+  return is_right ? 0 : 1;
 }

@@ -135,8 +135,27 @@ Json drawn_cases(Draw& draw, bool has_extra) {
 
 Json drawn_hand(Draw& draw, const Body& body) {
   Json handle = {{"point", drawn_center(draw, body)}};
+  if (draw.chance(0.2)) handle["direction"] = "vertical";
   if (draw.chance(0.3)) handle["direction"] = {{"fixed_deg", draw.between(-180, 180)}};
   return handle;
+}
+
+Json drawn_cylinder(Draw& draw, const Body& body) {
+  const auto* const to = draw.one_of({"input", "body", "output", "coupler"});
+  return {{"cylinder",
+           {{"from", {{"on", "ground"}, {"at", pair_of(ground_stud(draw, body))}}},
+            {"to", {{"on", to}, {"at", drawn_center(draw, body)}}}}}};
+}
+
+/// Each linkage has the best strength of one of the gas springs.
+void leave_strength_free(Draw& draw, Json& springs) {
+  for (Json& spring : springs) {
+    if (spring["kind"] != "gas") continue;
+    const double f1 = spring["F1"];
+    spring["best_F1"] = {{"max_F1", std::max(1.0, f1 * draw.power_of_ten(-1, 1))}};
+    if (draw.chance(0.3)) spring["best_F1"]["min_hold_open"] = f1 * draw.between(-0.1, 0.1);
+    return;
+  }
 }
 
 Json drawn_loads(Draw& draw, const Body& body, bool has_unit) {
@@ -148,10 +167,13 @@ Json drawn_loads(Draw& draw, const Body& body, bool has_unit) {
   const bool has_extra = draw.chance(0.4);
   if (has_extra) loads["extra"] = Json::array({drawn_extra(draw, body)});
   loads["springs"] = drawn_springs(draw, body, has_unit);
-  loads["handle"] = drawn_hand(draw, body);
+  const bool has_drive = draw.chance(0.4);
+  if (has_drive)
+    loads["drive"] = draw.chance(0.3) ? drawn_cylinder(draw, body) : Json(draw.one_of({"input", "output"}));
+  if (!has_drive || draw.chance(0.7)) loads["handle"] = drawn_hand(draw, body);
+  if (loads.contains("handle") && draw.chance(0.3)) leave_strength_free(draw, loads["springs"]);
   if (draw.chance(0.3))
     loads["pins"] = {{"radius", body.scale * draw.power_of_ten(-4, -1)}, {"friction", draw.between(0, 0.4)}};
-  if (draw.chance(0.3)) loads["drive"] = draw.one_of({"input", "output"});
   if (draw.chance(0.7)) loads["cases"] = drawn_cases(draw, has_extra);
   if (draw.chance(0.3)) loads["stations"] = draw.whole(4, 30);
   return loads;
@@ -162,12 +184,21 @@ void add_what_goes_by_them(Draw& draw, const Json& loads, Json& problem) {
   Json &options = problem["options"], &wanted = problem["requirements"];
   const double weight = loads.contains("body") ? 9.81 * loads["body"]["mass"].get<double>() : 10;
   const auto about = [&] { return weight * draw.power_of_ten(-1, 1); };
-  if (draw.chance(0.25)) wanted["max_open_force"] = about();
-  if (draw.chance(0.25)) wanted["max_close_force"] = about();
-  if (draw.chance(0.2)) wanted["min_hold_open"] = draw.between(-1, 0.2) * weight;
+  std::vector<const char*> objectives = {"pin_force"};
   if (draw.chance(0.2)) wanted["max_pin_force"] = 5 * about();
-  if (draw.chance(0.4)) options["objective"] = draw.one_of({"hand_force", "hold_open", "pin_force"});
-  if (draw.chance(0.15)) options["pareto"] = {"min_transmission_angle", draw.one_of({"hand_force", "pin_force"})};
+  if (loads.contains("handle")) {
+    objectives.insert(objectives.end(), {"hand_force", "hold_open"});
+    if (draw.chance(0.25)) wanted["max_open_force"] = about();
+    if (draw.chance(0.25)) wanted["max_close_force"] = about();
+    if (draw.chance(0.2)) wanted["min_hold_open"] = draw.between(-1, 0.2) * weight;
+  }
+  if (loads.contains("drive") && loads["drive"].is_string()) {
+    objectives.push_back("torque");
+    if (draw.chance(0.3)) wanted["max_torque"] = about();
+  }
+  const auto drawn = [&] { return objectives[static_cast<std::size_t>(draw.whole(0, std::ssize(objectives) - 1))]; };
+  if (draw.chance(0.4)) options["objective"] = drawn();
+  if (draw.chance(0.15)) options["pareto"] = {"min_transmission_angle", drawn()};
 }
 
 }  // namespace

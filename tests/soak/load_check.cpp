@@ -1,6 +1,7 @@
 #include "load_check.hpp"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <fmt/format.h>
 #include <optional>
@@ -195,12 +196,16 @@ void check_limits(const json& wanted, const json& worst, Wrongs& wrongs) {
   check("max_open_force", "max_open_force", 1);
   check("max_close_force", "max_close_force", 1);
   check("max_pin_force", "max_pin_force", 1);
+  check("max_torque", "max_torque", 1);
   check("min_hold_open", "hold_open", -1);
 }
 
 std::optional<double> worth_by_loads(const json& entry, const std::string& objective) {
-  const bool pin = objective == "pin_force", hold = objective == "hold_open";
-  const char* read_out = pin ? "max_pin_force" : hold ? "hold_open" : "hand_force";
+  const bool hold = objective == "hold_open";
+  const char* read_out = objective == "pin_force" ? "max_pin_force"
+                         : objective == "torque"  ? "max_torque"
+                         : hold                   ? "hold_open"
+                                                  : "hand_force";
   if (entry["loads"].is_null() || !entry["loads"]["worst"].contains(read_out)) return std::nullopt;
   const double value = entry["loads"]["worst"][read_out]["value"];
   return hold ? value : -value;
@@ -208,8 +213,8 @@ std::optional<double> worth_by_loads(const json& entry, const std::string& objec
 
 void check_order_by_loads(const json& options, const json& linkages, Wrongs& wrongs) {
   const std::string objective = options.value("objective", "");
-  if (options.contains("pareto") || (objective != "hand_force" && objective != "hold_open" && objective != "pin_force"))
-    return;
+  constexpr std::array by_loads = {"hand_force", "hold_open", "pin_force", "torque"};
+  if (options.contains("pareto") || std::find(by_loads.begin(), by_loads.end(), objective) == by_loads.end()) return;
   double before = INFINITY;
   for (const json& entry : linkages) {
     const double worth = worth_by_loads(entry, objective).value_or(-INFINITY);
@@ -218,6 +223,9 @@ void check_order_by_loads(const json& options, const json& linkages, Wrongs& wro
     before = worth;
   }
 }
+
+/// It has been, from the first position to the last.
+bool is_driven(const json& entry) { return entry["drive"].is_string() && entry["verified_by_driving"].get<bool>(); }
 
 }  // namespace
 
@@ -228,7 +236,11 @@ std::vector<std::string> wrongs_of_loads(const Problem& problem, const Answer& a
   for (std::size_t place = 0; place < linkages.size(); ++place) {
     const json& entry = linkages[place];
     if (entry.contains("loads") != loads.has_value()) wrongs.push_back("loads are told where they are given");
-    if (!loads || entry["loads"].is_null()) continue;
+    if (!loads) continue;
+    if (entry["loads"].is_null()) {
+      if (is_driven(entry)) wrongs.push_back("driven through its positions, and without forces");
+      continue;
+    }
     check_limits(result["problem"]["requirements"], entry["loads"]["worst"], wrongs);
     constexpr int between = 40;
     const LoadStudy study = load_study(problem, answer, place, between);
@@ -240,7 +252,7 @@ std::vector<std::string> wrongs_of_loads(const Problem& problem, const Answer& a
       if (bottoms(study.report.cases[k])) continue;
       if (loads->drive != LoadDrive::output) check_work(cases[k], study.curves[k], sense, wrongs);
       if (const auto* motion = std::get_if<MotionTask>(&problem.task); motion && !motion->relaxed)
-        check_energy(*loads, cases[k], study.curves[k], entry, motion->poses, wrongs);
+        check_energy(study.loads, cases[k], study.curves[k], entry, motion->poses, wrongs);
     }
   }
   if (loads && wrongs.empty()) check_order_by_loads(result["problem"]["options"], linkages, wrongs);

@@ -7,6 +7,7 @@
 #include <string>
 #include <vector>
 
+#include "linkwright/core/result.hpp"
 #include "linkwright/loads/loads.hpp"
 #include "linkwright/mechanism/four_bar.hpp"
 #include "linkwright/mechanism/pose.hpp"
@@ -67,6 +68,7 @@ struct CaseReport {
   std::vector<SpringUse> springs;
   bool locks = false;  ///< no effort moves it somewhere: friction holds it, or hand or drive act across its way
 
+  /// Of places the turn of the body, absolute; nothing where there is none.
   [[nodiscard]] std::optional<double> value(ReadOut read_out) const;
 };
 
@@ -79,6 +81,11 @@ struct WorstOfCases {
 struct LoadReport {
   std::vector<CaseReport> cases;
   std::array<std::optional<WorstOfCases>, read_outs> worst{};
+  /// Of the spring whose strength is left free, and of which all the rest is told. Nothing where none is, or where no
+  /// strength does what is asked of it: `why_no_f1` says so, nothing is the worst, and the cases are those of the
+  /// forces that are given.
+  std::optional<double> best_f1;
+  std::optional<Notice> why_no_f1;
 
   [[nodiscard]] const std::optional<WorstOfCases>& worst_of(ReadOut read_out) const {
     return worst[static_cast<std::size_t>(read_out)];
@@ -101,7 +108,7 @@ struct LoadStation {
   Point shaking{};                                           ///< force of the linkage on its ground, with rpm
 };
 
-/// Whether the worst is the largest; of what holds open the least.
+/// Whether the worst is the largest; of what holds open, and of how far it closes by itself, the least.
 [[nodiscard]] bool larger_is_worse(ReadOut read_out);
 
 /// `bars` as they lie in position 1; `poses` those of the task. Nothing where the linkage does not get through them

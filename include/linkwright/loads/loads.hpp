@@ -88,6 +88,16 @@ struct Handle {
   friend bool operator==(const Handle&, const Handle&) = default;
 };
 
+/// That the strength of a gas spring is left free: each linkage has the one with which the largest force of its hand is
+/// least, among those that hold it open. Newtons.
+struct FreeStrength {
+  std::optional<double> min_f1;  ///< nothing: the weakest spring there is
+  double max_f1 = 0;
+  std::optional<double> min_hold_open;  ///< in the last position
+
+  friend bool operator==(const FreeStrength&, const FreeStrength&) = default;
+};
+
 /// As catalogues have it (GB/T 25751): forces measured at a distance before both ends, extending and compressing; or
 /// the friction, half of their difference.
 struct GasSpring {
@@ -98,6 +108,8 @@ struct GasSpring {
   double friction = 0;                    ///< N, where f3 and f4 are not given
   double rod_diameter = 0;                ///< mm; 0: not known
   std::optional<double> percent_per_10K;  ///< nothing: an ideal gas
+  /// Then the forces above say how much they grow over the stroke, and what friction takes. Of one spring at most.
+  std::optional<FreeStrength> free;
 
   friend bool operator==(const GasSpring&, const GasSpring&) = default;
 };
@@ -162,8 +174,12 @@ enum class ReadOut : std::uint8_t {
   self_close,
   max_pin_force,
   max_torque,
-  cylinder_force
+  cylinder_force,
+  hand_force_error,  ///< of a map's cells, see read_outs
+  best_f1            ///< likewise
 };
+/// Those of cases, by which they stand in files. The two behind them are of a linkage, and of no case: how far its hand
+/// force at the stations of a map is from that over the travel, and the F1 of the spring that leaves it free.
 inline constexpr std::size_t read_outs = 12;
 inline constexpr std::array<std::string_view, read_outs> read_out_names = {
     "max_open_force", "max_close_force", "hand_force", "hold_open",     "close_start", "hump",
@@ -213,6 +229,9 @@ struct Loads {
 };
 inline constexpr int most_stations = 721;
 inline constexpr std::size_t most_load_cases = 16, most_springs = 16, most_extra_loads = 32;
+
+/// The spring whose strength is left free.
+[[nodiscard]] std::optional<std::size_t> free_spring(const Loads& loads);
 
 /// By which a spring is told: its name, or "spring_1", … by its place.
 [[nodiscard]] std::string spring_name(const Loads& loads, std::size_t spring);

@@ -55,6 +55,14 @@ struct FoundOrNot {
                                                    std::span<const PrescribedPose> poses, const Spring& spring,
                                                    const SpringDemands& demands = {});
 
+/// The loads with the best F1 of the spring that leaves it free, which then is as any other; where none does, as they
+/// are. Reasons of best_charge().
+[[nodiscard]] FoundOrNot<Loads> settled_loads(const Loads& loads, const FourBar& bars,
+                                              std::span<const PrescribedPose> poses);
+
+/// The same; where no strength does what is asked, with the F1 that is given.
+[[nodiscard]] Loads loads_as_used(const Loads& loads, const FourBar& bars, std::span<const PrescribedPose> poses);
+
 /// Of `spring`, a coil beside those of `loads` that pushes and pulls, by its rate ≥ 0 and its free length, from 0 to
 /// three times the longest that it gets: a linear program of the rate, the rate times the free length, and the force.
 /// The demands on F1 do not concern it.

@@ -68,6 +68,13 @@ inline constexpr Measure hold_open{.key = "hold_open", .larger_is_better = true,
 inline constexpr Measure max_pin_force{.key = "max_pin_force", .is_added = true};
 inline constexpr Measure max_torque{.key = "max_torque", .is_added = true};
 inline constexpr Measure cylinder_force{.key = "cylinder_force", .is_added = true};
+/// How far the body has turned from position 1, degrees, where it begins to rise by itself to the end, the whole turn
+/// where it does not; and from where it closes by itself, 0 where it does not.
+inline constexpr Measure self_rise{.key = "self_rise_deg", .is_added = true};
+inline constexpr Measure self_close{.key = "self_close_deg", .larger_is_better = true, .is_added = true};
+/// Of the hand force, that of looking at stations; and F1 of the spring that leaves it free, with which all others are.
+inline constexpr Measure hand_force_error{.key = "hand_force_error", .is_added = true};
+inline constexpr Measure best_f1{.key = "best_F1", .is_added = true};
 /// Of several linkages at a place the one that is shown, by the number of its layer, from 1.
 inline constexpr Measure layer{"layer"};
 /// Of paths that pass near points: root mean square of the distances of the points from the path, user's unit.

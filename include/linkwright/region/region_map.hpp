@@ -78,7 +78,7 @@ struct DriverTravel {
 
 /// The verdict over one cell.
 struct MapCell {
-  static constexpr std::size_t max_measures = 13;
+  static constexpr std::size_t max_measures = 18;
 
   LinkageType type = LinkageType::degenerate;
   Defects defects;

@@ -13,7 +13,9 @@
 #include "linkwright/loads/load_report.hpp"
 #include "linkwright/region/region_map.hpp"
 #include "loads/cell_loads.hpp"
+#include "loads/free_strength.hpp"
 #include "loads/load_kernel.hpp"
+#include "loads_analysis.hpp"
 
 namespace linkwright {
 namespace {
@@ -30,6 +32,12 @@ LoadRow::What what_of(ReadOut read_out) {
       return LoadRow::hold;
     case ReadOut::max_pin_force:
       return LoadRow::pin;
+    case ReadOut::self_rise:
+      return LoadRow::rise;
+    case ReadOut::self_close:
+      return LoadRow::shut;
+    case ReadOut::hand_force_error:
+      return LoadRow::error;
     default:
       return LoadRow::effort;
   }
@@ -37,9 +45,16 @@ LoadRow::What what_of(ReadOut read_out) {
 
 void count_cases(LoadRow& row, const Loads& loads, std::span<const ReadOut> read_outs) {
   const std::vector<LoadCase> cases = cases_of(loads);
-  for (const ReadOut read_out : read_outs)
+  const auto count = [&](LoadRow::What what, ReadOut by) {
     for (std::size_t c = 0; c < cases.size(); ++c)
-      if (cases[c].counts(read_out)) row.counted[what_of(read_out)] |= 1U << c;
+      if (cases[c].counts(by)) row.counted[what] |= 1U << c;
+  };
+  for (const ReadOut read_out : read_outs) {
+    if (read_out == ReadOut::best_f1) continue;  // of no case
+    const bool is_error = read_out == ReadOut::hand_force_error;
+    count(what_of(read_out), is_error ? ReadOut::hand_force : read_out);
+    if (is_error) count(LoadRow::hand, ReadOut::hand_force);
+  }
 }
 
 LoadRow blank_row(const Loads& loads, std::span<const ReadOut> read_outs, Point turned) {
@@ -68,7 +83,7 @@ void put(Point point, double (&to)[2]) {
 /// What the linkages of a map share.
 class TablesOfLoads {
  public:
-  TablesOfLoads(const FourBarCells& links, const RegionMap& map, const Loads& loads, Point turned)
+  TablesOfLoads(const FourBarCells& links, const RegionMap& map, const Loads& loads, Point turned, Simd simd)
       : loads_(lane_loads(loads, turned)) {
     tables_.loads = &loads_;
     tables_.positions = static_cast<int>(links.positions());
@@ -85,7 +100,7 @@ class TablesOfLoads {
     tables_.numbers = columns_.data();
     for (std::size_t at = 0; at < static_cast<std::size_t>(tables_.stride); ++at)
       put_column(links, std::min(at, map.columns() - 1), at);
-    load_tables_kernel.for_simd(Simd::automatic)(tables_);
+    load_tables_kernel.for_simd(simd)(tables_);
   }
   TablesOfLoads(const TablesOfLoads&) = delete;
   TablesOfLoads& operator=(const TablesOfLoads&) = delete;
@@ -114,7 +129,7 @@ class TablesOfLoads {
 
 /// A column of loads.
 struct LoadColumn {
-  LoadRow::What what;
+  ReadOut read_out;
   double unit;  ///< by which values are multiplied
   float none;   ///< where there is no value
 };
@@ -123,7 +138,7 @@ std::vector<LoadColumn> columns_of(const Loads& loads, std::span<const ReadOut> 
   constexpr float infinite = std::numeric_limits<float>::infinity();
   std::vector<LoadColumn> columns;
   for (const ReadOut read_out : read_outs)
-    columns.push_back({what_of(read_out), read_out == ReadOut::max_torque ? metres_of(loads) : 1,
+    columns.push_back({read_out, read_out == ReadOut::max_torque ? metres_of(loads) : measure_unit(read_out),
                        larger_is_worse(read_out) ? infinite : -infinite});
   return columns;
 }
@@ -151,10 +166,32 @@ void put_driver(const FourBarCells& links, const LinkPositions& driver, double s
   put(links.to_user(driver.center), row.input_fixed);
   std::array<double, LoadRow::most_stations> turns{};
   put_stations(links, driver, between, row, turns);
-  for (std::size_t j = 1; j + 1 < static_cast<std::size_t>(row.stations); ++j) {
-    const double before = turns[j] - turns[j - 1], after = turns[j + 1] - turns[j];
-    row.steps[j] = {before, after, 1 / before, 1 / after, 1 / (before + after)};
+  const auto steps_about = [&](int j, int apart) {
+    const auto turn = [&](int at) { return turns[static_cast<std::size_t>(at)]; };
+    const double before = turn(j) - turn(j - apart), after = turn(j + apart) - turn(j);
+    return LoadSteps{before, after, 1 / before, 1 / after, 1 / (before + after)};
+  };
+  for (int j = 1; j + 1 < row.stations; ++j) row.steps[j] = steps_about(j, 1);
+  for (int j = between; j + between < row.stations; j += between)
+    row.position_steps[j / between] = steps_about(j, between);
+}
+
+/// What is left free, and the cases by which it is told, a bit to each.
+struct Strength {
+  FreeStrength free;
+  unsigned hand = 0, last = 0;
+};
+
+std::optional<Strength> strength_of(const Loads& loads) {
+  const auto k = free_spring(loads);
+  if (!k) return std::nullopt;
+  Strength found{*std::get<GasSpring>(loads.springs[*k].law).free};
+  const std::vector<LoadCase> cases = cases_of(loads);
+  for (std::size_t c = 0; c < cases.size(); ++c) {
+    if (cases[c].counts(ReadOut::hand_force)) found.hand |= 1U << c;
+    if (cases[c].counts(ReadOut::hold_open)) found.last |= 1U << c;
   }
+  return found;
 }
 
 /// The cells of a map row by row.
@@ -163,13 +200,15 @@ class RowsOfLoads {
   using Values = std::span<const std::span<float>>;
 
   RowsOfLoads(std::shared_ptr<const FourBarCells> links, const RegionMap& map, const Loads& loads,
-              std::span<const ReadOut> read_outs, Point turned)
+              std::span<const ReadOut> read_outs, Point turned, Simd simd)
       : links_(std::move(links)),
         map_(map),
-        tables_(*links_, map, loads, turned),
+        simd_(simd),
+        tables_(*links_, map, loads, turned, simd),
         told_(columns_of(loads, read_outs)),
         blank_(blank_row(loads, read_outs, turned)),
-        between_(steps_between(loads.stations, links_->positions())) {
+        between_(steps_between(loads.stations, links_->positions())),
+        strength_(strength_of(loads)) {
     blank_.tables = &*tables_;
     blank_.columns = static_cast<int>(map.columns());
     blank_.stations = static_cast<int>(links_->positions() - 1) * between_ + 1;
@@ -181,24 +220,109 @@ class RowsOfLoads {
     const std::vector<signed char> senses = senses_of(at);
     row.senses = senses.data();
     const std::vector<LaneWrench> shared = room_of(row);
-    const auto count = (*tables_).loads->cases * LoadRow::curves * row.stations;
+    const auto count = static_cast<std::size_t>(row.of_curves()) * LoadTables::most_lanes;
     // Not cleared; std::make_unique_for_overwrite is not in every library.
-    const std::unique_ptr<double[]> values_of_curves(
-        new double[static_cast<std::size_t>(count) * LoadTables::most_lanes]);
+    const std::unique_ptr<double[]> values_of_curves(new double[count]);
     row.values = values_of_curves.get();
+    const std::vector<double> shares = strength_ ? best_shares(at, row, senses) : std::vector<double>{};
+    row.shares = strength_ ? shares.data() : nullptr;
     for (std::size_t k = 0; k < told_.size(); ++k) {
       fill_blank(at, told_[k].none, values[k]);
-      row.value[told_[k].what] = values[k].data();
-      row.unit[told_[k].what] = told_[k].unit;
+      if (told_[k].read_out == ReadOut::best_f1) {
+        tell_strength(senses, shares, values[k]);
+        continue;
+      }
+      const LoadRow::What what = what_of(told_[k].read_out);
+      row.value[what] = values[k].data();
+      row.unit[what] = told_[k].unit;
     }
-    for (const int sense : {1, -1}) {
-      if (std::find(senses.begin(), senses.end(), sense) == senses.end()) continue;
-      put_driver(*links_, links_->input_link(at), sense, between_, row);
-      load_kernel.for_simd(Simd::automatic)(row);
-    }
+    run(at, row, senses);
   }
 
  private:
+  void run(std::size_t at, LoadRow& row, const std::vector<signed char>& senses) const {
+    for (const int sense : {1, -1}) {
+      if (std::find(senses.begin(), senses.end(), sense) == senses.end()) continue;
+      put_driver(*links_, links_->input_link(at), sense, between_, row);
+      load_kernel.for_simd(simd_)(row);
+    }
+  }
+
+  /// The hand's forces in the cells of a row, each under a strength of the free spring.
+  struct UnderStrength {
+    std::vector<double> forces;  ///< LoadRow::hand_forces
+    std::vector<float> largest;  ///< infinite where there are none
+  };
+  [[nodiscard]] UnderStrength under(const std::vector<double>& shares, std::size_t at, LoadRow row,
+                                    const std::vector<signed char>& senses) const {
+    UnderStrength found{std::vector<double>(map_.columns() * of_cell(row)), std::vector<float>(map_.columns())};
+    std::fill(std::begin(row.counted), std::end(row.counted), 0U);
+    row.counted[LoadRow::hand] = strength_->hand | strength_->last;
+    row.unit[LoadRow::hand] = 1;
+    row.value[LoadRow::hand] = found.largest.data();
+    row.hand_forces = found.forces.data();
+    row.shares = shares.data();
+    row.senses = senses.data();
+    run(at, row, senses);
+    return found;
+  }
+  [[nodiscard]] std::size_t of_cell(const LoadRow& row) const {
+    return static_cast<std::size_t>((*tables_).loads->cases) * 2 * static_cast<std::size_t>(row.stations);
+  }
+
+  /// As CellLoads has them, of columns; not a number where there is none.
+  [[nodiscard]] std::vector<double> best_shares(std::size_t at, const LoadRow& row,
+                                                std::vector<signed char> senses) const {
+    constexpr double none = std::numeric_limits<double>::quiet_NaN();
+    LoadRow smooth = row;
+    smooth.friction_circle = 0;
+    std::vector<double> shares(senses.size(), 0.0);
+    const UnderStrength weakest = under(shares, at, smooth, senses);
+    const UnderStrength strongest = under(std::vector<double>(senses.size(), 1.0), at, smooth, senses);
+    UnderStrength now = weakest;
+    for (int turn = 0; turn < most_strengths; ++turn) {
+      for (std::size_t column = 0; column < map_.columns(); ++column) {
+        if (senses[column] == 0) continue;
+        const double before = shares[column];
+        shares[column] = next_share(column, before, {&weakest, &strongest, &now}, row).value_or(none);
+        const bool agrees = turn > 0 && std::abs(shares[column] - before) <= agreed_strength;
+        if (std::isnan(shares[column]) || !(row.friction_circle > 0) || agrees) senses[column] = 0;
+      }
+      if (std::all_of(senses.begin(), senses.end(), [](signed char sense) { return sense == 0; })) return shares;
+      now = under(shares, at, row, senses);
+    }
+    for (std::size_t column = 0; column < map_.columns(); ++column)
+      if (senses[column] != 0) shares[column] = none;
+    return shares;
+  }
+  struct Strengths {
+    const UnderStrength *weakest, *strongest, *now;
+  };
+  [[nodiscard]] std::optional<double> next_share(std::size_t column, double share, const Strengths& known,
+                                                 const LoadRow& row) const {
+    for (const UnderStrength* under : {known.weakest, known.strongest, known.now})
+      if (!std::isfinite(under->largest[column])) return std::nullopt;
+    const auto stations = static_cast<std::size_t>(row.stations);
+    StrengthLines hand, last;
+    for (std::size_t c = 0; c < of_cell(row) / (2 * stations); ++c) {
+      const std::size_t first = column * of_cell(row) + c * 2 * stations;
+      const auto add = [&](StrengthLines& to, std::size_t k) {
+        to.add(known.now->forces[k], share, {known.weakest->forces[k], known.strongest->forces[k]});
+      };
+      if (strength_->hand >> c & 1U)
+        for (std::size_t k = first; k < first + 2 * stations; ++k) add(hand, k);
+      if (strength_->last >> c & 1U) add(last, first + stations - 1);
+    }
+    return best_share(hand, last, held_open(strength_->free));
+  }
+  void tell_strength(const std::vector<signed char>& senses, const std::vector<double>& shares,
+                     std::span<float> values) const {
+    const StrengthRange range = strengths_of(strength_->free);
+    for (std::size_t column = 0; column < values.size(); ++column)
+      if (senses[column] != 0 && !std::isnan(shares[column]))
+        values[column] = static_cast<float>(range.f1(shares[column]));
+  }
+
   /// Of columns; so many more that a kernel may read beyond them.
   [[nodiscard]] std::vector<signed char> senses_of(std::size_t row) const {
     std::vector<signed char> senses(map_.columns() + LoadTables::most_lanes, 0);
@@ -228,10 +352,12 @@ class RowsOfLoads {
 
   std::shared_ptr<const FourBarCells> links_;
   const RegionMap& map_;
+  Simd simd_;
   TablesOfLoads tables_;
   std::vector<LoadColumn> told_;
   LoadRow blank_;
   int between_;
+  std::optional<Strength> strength_;  ///< where a spring leaves it free
 };
 
 }  // namespace
@@ -248,8 +374,9 @@ bool fits_lanes(const Loads& loads, std::size_t positions) {
 }
 
 CellMeasures::Rows four_bar_loads(std::shared_ptr<const FourBarCells> links, const RegionMap& map, const Loads& loads,
-                                  std::span<const ReadOut> read_outs, const Pose& body) {
-  const auto rows = std::make_shared<const RowsOfLoads>(std::move(links), map, loads, read_outs, direction(body.angle));
+                                  std::span<const ReadOut> read_outs, const Pose& body, Simd simd) {
+  const auto rows =
+      std::make_shared<const RowsOfLoads>(std::move(links), map, loads, read_outs, direction(body.angle), simd);
   return [rows](std::size_t row, RowsOfLoads::Values values) { rows->write(row, values); };
 }
 

@@ -3,6 +3,7 @@
 #include <memory>
 #include <span>
 
+#include "linkwright/core/simd.hpp"
 #include "linkwright/loads/loads.hpp"
 #include "linkwright/region/cell_measure.hpp"
 #include "planar/four_bar_cells.hpp"
@@ -16,6 +17,6 @@ namespace linkwright {
 /// side, with a defect. `body`: the moving frame in position 1, of all. Refers to the map.
 [[nodiscard]] CellMeasures::Rows four_bar_loads(std::shared_ptr<const FourBarCells> links, const RegionMap& map,
                                                 const Loads& loads, std::span<const ReadOut> read_outs,
-                                                const Pose& body);
+                                                const Pose& body, Simd simd = Simd::automatic);
 
 }  // namespace linkwright

@@ -7,6 +7,8 @@
 #include <vector>
 
 #include "linkwright/core/angle.hpp"
+#include "loads/carried.hpp"
+#include "loads/free_strength.hpp"
 #include "loads/gas_law.hpp"
 
 namespace linkwright {
@@ -27,10 +29,7 @@ struct LoadedCases {
 
   LoadedCases(const Loads& of, Point of_body) : loads(of), turned(of_body), cases(cases_of(of)) {}
   [[nodiscard]] LanePoint point(const CarriedPoint& at) const { return lane_point(at, turned); }
-  [[nodiscard]] Point gravity(std::size_t of) const {
-    return loads.gravity ? loads.gravity->acceleration * direction(loads.gravity->direction - cases[of].slope)
-                         : Point{};
-  }
+  [[nodiscard]] Point gravity(std::size_t of) const { return gravity_in(loads, cases[of]); }
 };
 
 /// `in_case`: the force of a case by its number.
@@ -104,16 +103,29 @@ enum class SpringKind : unsigned char { common, of_row, of_column, of_pair };
 constexpr int spring_kinds = 4;
 
 SpringKind kind_of(const LaneLoads::Spring& spring) {
+  if (spring.is_free) return SpringKind::of_pair;  // whose strength is each linkage's own
   const auto ends_at = [&](LanePoint::On on) { return spring.from.on == on || spring.to.on == on; };
   const bool at_input = ends_at(LanePoint::input), at_output = ends_at(LanePoint::output);
   if (ends_at(LanePoint::coupler) || (at_input && at_output)) return SpringKind::of_pair;
   return at_input ? SpringKind::of_row : at_output ? SpringKind::of_column : SpringKind::common;
 }
 
+/// The spring that leaves its strength free: as the weakest, and what the strongest has more.
+LaneLoads::Spring free_lane_spring(const LoadedCases& of, std::size_t k) {
+  const StrengthRange range = strengths_of(*std::get<GasSpring>(of.loads.springs[k].law).free);
+  LaneLoads::Spring lane = lane_spring(of, with_f1(of.loads, range.weakest).springs[k]);
+  const LaneLoads::Spring strongest = lane_spring(of, with_f1(of.loads, range.strongest).springs[k]);
+  lane.is_free = true;
+  for (std::size_t c = 0; c < of.cases.size(); ++c) lane.charge_rise[c] = strongest.charge[c] - lane.charge[c];
+  return lane;
+}
+
 /// Kind after kind.
 void add_springs(LaneLoads& all, const LoadedCases& of) {
   std::vector<LaneLoads::Spring> springs;
-  for (const Spring& spring : of.loads.springs) springs.push_back(lane_spring(of, spring));
+  const auto free = free_spring(of.loads);
+  for (std::size_t k = 0; k < of.loads.springs.size(); ++k)
+    springs.push_back(k == free ? free_lane_spring(of, k) : lane_spring(of, of.loads.springs[k]));
   std::array<int, spring_kinds> ends{};
   for (int kind = 0; kind < spring_kinds; ++kind) {
     for (const LaneLoads::Spring& spring : springs)

@@ -8,6 +8,7 @@
 #include <utility>
 
 #include "four_bar_loads.hpp"
+#include "linkwright/core/angle.hpp"
 #include "loads/cell_loads.hpp"
 #include "loads_analysis.hpp"
 
@@ -18,15 +19,27 @@ struct Row {
   ReadOut read_out;
   const Measure* measure;
 };
-constexpr std::array rows = {
-    Row{ReadOut::max_open_force, &measures::max_open_force}, Row{ReadOut::max_close_force, &measures::max_close_force},
-    Row{ReadOut::hand_force, &measures::hand_force},         Row{ReadOut::hold_open, &measures::hold_open},
-    Row{ReadOut::max_pin_force, &measures::max_pin_force},   Row{ReadOut::max_torque, &measures::max_torque},
-    Row{ReadOut::cylinder_force, &measures::cylinder_force}};
+constexpr std::array rows = {Row{ReadOut::max_open_force, &measures::max_open_force},
+                             Row{ReadOut::max_close_force, &measures::max_close_force},
+                             Row{ReadOut::hand_force, &measures::hand_force},
+                             Row{ReadOut::hold_open, &measures::hold_open},
+                             Row{ReadOut::max_pin_force, &measures::max_pin_force},
+                             Row{ReadOut::max_torque, &measures::max_torque},
+                             Row{ReadOut::cylinder_force, &measures::cylinder_force},
+                             Row{ReadOut::self_rise, &measures::self_rise},
+                             Row{ReadOut::self_close, &measures::self_close},
+                             Row{ReadOut::hand_force_error, &measures::hand_force_error},
+                             Row{ReadOut::best_f1, &measures::best_f1}};
 
 double no_value(ReadOut read_out) {
   constexpr double infinite = std::numeric_limits<double>::infinity();
   return larger_is_worse(read_out) ? infinite : -infinite;
+}
+
+/// As a map has it.
+double measured(CellLoads& cell, ReadOut read_out) {
+  const auto found = cell.read_out(read_out);
+  return found ? measure_unit(read_out) * *found : no_value(read_out);
 }
 
 /// The forces in the linkages of a family: in a map's all at once, in those that a search looks at read-out by
@@ -52,7 +65,7 @@ class FamilyLoads : public CellMeasures {
   /// Nothing: no linkage is there; infinite, to the worse side, where a defect keeps it from having a value.
   [[nodiscard]] std::optional<double> at(MapPoint place, ReadOut read_out) const {
     const std::shared_ptr<CellLoads> cell = last_at(place);
-    return cell ? std::optional(cell->read_out(read_out).value_or(no_value(read_out))) : std::nullopt;
+    return cell ? std::optional(measured(*cell, read_out)) : std::nullopt;
   }
 
  private:
@@ -68,7 +81,7 @@ class FamilyLoads : public CellMeasures {
     const auto* planar = output ? std::get_if<PlanarOutput>(&*output) : nullptr;
     if (!planar) return found;
     CellLoads loaded(loads_, *planar, CellLook::map);
-    for (std::size_t k = 0; k < read_outs.size(); ++k) found[k] = loaded.read_out(read_outs[k]).value_or(found[k]);
+    for (std::size_t k = 0; k < read_outs.size(); ++k) found[k] = measured(loaded, read_outs[k]);
     return found;
   }
   /// Where all linkages have the body in position 1; nothing where the map has none.
@@ -130,7 +143,13 @@ double margin_of(double limit) { return 0.01 + 1e-4 * std::abs(limit); }
 
 }  // namespace
 
+double measure_unit(ReadOut read_out) {
+  return read_out == ReadOut::self_rise || read_out == ReadOut::self_close ? degrees(1) : 1;
+}
+
 bool is_counted(ReadOut read_out, const Loads& loads) {
+  if (read_out == ReadOut::best_f1) return true;
+  if (read_out == ReadOut::hand_force_error) return is_counted(ReadOut::hand_force, loads);
   const std::vector<LoadCase> cases = cases_of(loads);
   return std::any_of(cases.begin(), cases.end(), [&](const LoadCase& of) { return of.counts(read_out); });
 }
@@ -143,6 +162,8 @@ bool has_value(ReadOut read_out, const Loads& loads) {
       return loads.drive == LoadDrive::cylinder;
     case ReadOut::max_pin_force:
       return true;
+    case ReadOut::best_f1:
+      return free_spring(loads).has_value();
     default:
       return loads.handle.has_value();
   }

@@ -90,21 +90,37 @@ static void fields(FieldVisitor& v, const WorstRecord& worst) {
   });
 }
 
+static double value_for_files(const WorstOfCases& worst, ReadOut read_out) {
+  const bool is_turn = read_out == ReadOut::self_rise || read_out == ReadOut::self_close;
+  return is_turn ? degrees_for_files(worst.value) : worst.value;
+}
+
 void fields(FieldVisitor& v, const LoadReport& report) {
   v.object(
       {.name = "load_report", .about = "The forces in the linkage from position 1 to the last one.", .on_lines = true},
       [&](FieldVisitor& to) {
         to.shown("cases", report.cases, forms::on_lines);
-        to.member(Field("worst", "Of the cases that count."), true, [&](FieldVisitor& in) {
-          in.object({.name = "worst_read_outs", .on_lines = true}, [&](FieldVisitor& each) {
-            for (std::size_t k = 0; k < read_outs; ++k) {
-              const auto& worst = report.worst[k];
-              const auto shown =
-                  worst ? std::optional(WorstRecord{worst->value, report.cases[worst->of].name}) : std::nullopt;
-              each.shown_if_any(read_out_names[k], shown);
-            }
-          });
-        });
+        to.member(Field("worst",
+                        "Of the cases that count; self_rise and self_close as absolute turns of the body from "
+                        "position 1, degrees."),
+                  true, [&](FieldVisitor& in) {
+                    in.object({.name = "worst_read_outs", .on_lines = true}, [&](FieldVisitor& each) {
+                      for (std::size_t k = 0; k < read_outs; ++k) {
+                        const auto& worst = report.worst[k];
+                        const auto shown =
+                            worst ? std::optional(WorstRecord{value_for_files(*worst, static_cast<ReadOut>(k)),
+                                                              report.cases[worst->of].name})
+                                  : std::nullopt;
+                        each.shown_if_any(read_out_names[k], shown);
+                      }
+                    });
+                  });
+        to.shown_if_any(Field("best_F1", "Of the spring that leaves it free, N: all the rest is told of it."),
+                        report.best_f1);
+        to.shown_if_any(Field("why_no_F1",
+                              "No strength does what is asked of it: there is no worst, and the cases are those of the "
+                              "forces that are given."),
+                        report.why_no_f1);
       });
 }
 
@@ -134,6 +150,12 @@ void list_loads(LinkageColumns& list, const Loads& loads) {
   column(ReadOut::pop_up, "N", "Least force by which it rises in position 1", false);
   column(ReadOut::close_start, "N", "Largest force that starts to close it", false);
   column(ReadOut::hump, "N", "Largest force of closing above that", false);
+  column(ReadOut::self_rise, "deg", "Turn of the body from which it rises by itself, the largest of the cases", false);
+  column(ReadOut::self_close, "deg", "Turn of the body down from which it closes by itself, the least of the cases",
+         false);
+  if (free_spring(loads))
+    list.number("loads.best_F1", "N", "F1 of the spring that leaves it free: the one with the least force of the hand",
+                LinkageColumn::usual);
   column(ReadOut::max_pin_force, "N", "Largest force of a pin", LinkageColumn::usual);
   column(ReadOut::max_torque, loads.metres ? "N·m" : "N·unit", "Largest torque of the driving crank",
          LinkageColumn::usual);

@@ -12,8 +12,10 @@ namespace {
 std::optional<double> listed(const std::optional<LoadReport>& report, const Measure& measure) {
   const auto read_out = read_out_of(measure);
   if (!report || !read_out) return std::nullopt;
+  if (*read_out == ReadOut::best_f1) return report->best_f1;
+  if (static_cast<std::size_t>(*read_out) >= read_outs) return std::nullopt;
   const auto& worst = report->worst_of(*read_out);
-  return worst ? std::optional(worst->value) : std::nullopt;
+  return worst ? std::optional(measure_unit(*read_out) * worst->value) : std::nullopt;
 }
 
 ListedMeasures listed_measures(const Findings& found) {
@@ -79,15 +81,23 @@ std::optional<Requirements> report_loads(Answer& answer, const Progress& progres
   LeftOut left_out;
   if (!found.options.at && !progress.is_cancelled()) left_out = leave_out_what_fails(answer, by);
   if (left_out.count > 0) warn_of_left_out(found, left_out.count);
+  loads_of_list(answer);
+  return std::move(left_out.with_room);
+}
+
+void loads_of_list(Answer& answer) {
+  Findings& found = findings(answer);
+  std::erase_if(found.warnings, [](const Notice& warning) {
+    return warning.code == "spring_stroke" || warning.code == "locks_by_friction";
+  });
   warn_of_strokes(found);
   warn_of_locking(found);
-  rank_again(answer, by, [&](std::size_t i) {
+  rank_again(answer, listed_measures(found), [&](std::size_t i) {
     const Measure& measure = measure_of(found.options.objective);
     const auto value = listed(found.loads[i], measure);
     if (!value) return -std::numeric_limits<double>::infinity();
     return measure.larger_is_better ? *value : -*value;
   });
-  return std::move(left_out.with_room);
 }
 
 }  // namespace linkwright

@@ -11,6 +11,7 @@
 #include "files/listed_problem.hpp"
 #include "linkwright/files/csv_table.hpp"
 #include "linkwright/files/number_text.hpp"
+#include "linkwright/loads/spring_charge.hpp"
 #include "loads_analysis.hpp"
 #include "synthesis/listed_linkages.hpp"
 
@@ -83,11 +84,11 @@ std::vector<double> row_of(const Loads& loads, const LoadStation& station) {
 
 LoadStudy load_study(const Problem& problem, const Answer& answer, std::size_t place, int between) {
   const Findings& found = findings(answer);
-  const Loads& loads = *found.options.loads;
-  LoadStudy study{problem.title, problem.length_unit, loads, *found.loads[place], {}, {}};
   const auto output = listed_outputs(answer, 0)[place];
   const auto& planar = std::get<PlanarOutput>(*output);
   const std::vector<PrescribedPose> poses = poses_of(planar);
+  const Loads loads = loads_as_used(*found.options.loads, planar.positions.front().bars, poses);
+  LoadStudy study{problem.title, problem.length_unit, loads, *found.loads[place], {}, {}};
   for (const LoadCase& of : cases_of(loads))
     study.curves.push_back(load_curve(loads, of, planar.positions.front().bars, poses, between));
   const LoadCase first = cases_of(loads).front();

@@ -36,6 +36,8 @@ void fields(FieldVisitor& v, CarriedPoint& point);
 
 /// The loads' drive or handle gives a read-out its value.
 [[nodiscard]] bool has_value(ReadOut read_out, const Loads& loads);
+/// By which a map's values are those of CellLoads: degrees for radians.
+[[nodiscard]] double measure_unit(ReadOut read_out);
 /// A case counts for it.
 [[nodiscard]] bool is_counted(ReadOut read_out, const Loads& loads);
 /// Of a measure of ours; nothing: it is another's.
@@ -49,6 +51,9 @@ void fields(FieldVisitor& v, CarriedPoint& point);
 /// rank them, the list is put in their order. Cancelled: of those that were reached. What to require of a search by the
 /// stations of a map, so that it ends where the report meets what is required; nothing: none was left out.
 std::optional<Requirements> report_loads(Answer& answer, const Progress& progress = {});
+
+/// Of reports that are there: what is to be warned of in the linkages listed, and their order where these rank them.
+void loads_of_list(Answer& answer);
 
 /// `loads` of a linkage.
 void fields(FieldVisitor& v, const LoadReport& report);

@@ -150,6 +150,16 @@ static void fields(FieldVisitor& v, Handle& handle) {
   });
 }
 
+static void fields(FieldVisitor& v, FreeStrength& free) {
+  v.object({.name = "free_strength"}, [&](FieldVisitor& to) {
+    to.given(Field("min_F1", "N; the weakest spring there is, of 1 N, where it is not given."), free.min_f1,
+             not_negative);
+    to.required(Field("max_F1", "N: without it the search runs into short strong springs."), free.max_f1,
+                forms::positive);
+    to.given(Field("min_hold_open", "N, of the cases that count for it."), free.min_hold_open, newtons);
+  });
+}
+
 namespace {
 
 void studs(FieldVisitor& v, Spring& spring) {
@@ -181,6 +191,11 @@ void gas_spring(FieldVisitor& v, Spring& spring) {
                  .null_for_none()
                  .written(gas.percent_per_10K.has_value()),
              gas.percent_per_10K, Number{.least = 0, .most = 20});
+  v.given(Field("best_F1",
+                "Leaves the strength free: each linkage has the one with which the largest force of its hand is least. "
+                "F1 to F4 then say how much the force grows over the stroke, and what friction takes. One spring at "
+                "most."),
+          gas.free);
 }
 
 void coil_spring(FieldVisitor& v, Spring& spring) {

@@ -270,7 +270,7 @@ Result<PlacedSpring> place_spring_on(const LoadedLinkage& linkage, const SpringW
                                      std::optional<std::vector<CatalogueSpring>> catalogue,
                                      const SpringSearchOptions& options, const Progress& progress) {
   if (auto mistakes = mistakes_in(wanted, linkage.loads); !mistakes.empty()) return mistakes;
-  const Loads loads = loads_beside(wanted, linkage.loads);
+  const Loads loads = loads_as_used(loads_beside(wanted, linkage.loads), linkage.bars, linkage.poses);
   PlacedSpring placed{linkage.title, linkage.length_unit, {}, {}, {}};
   placed.place = place_spring(loads, linkage.bars, linkage.poses, wanted, options, progress);
   if (!catalogue) return placed;

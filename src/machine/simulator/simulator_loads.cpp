@@ -3,7 +3,6 @@
 #include <algorithm>
 #include <cmath>
 #include <fmt/format.h>
-#include <set>
 #include <utility>
 
 #include "linkwright/core/angle.hpp"
@@ -11,6 +10,7 @@
 #include "linkwright/loads/load_report.hpp"
 #include "loads/carried.hpp"
 #include "loads/gas_law.hpp"
+#include "machine/unlike_names.hpp"
 
 namespace linkwright {
 namespace {
@@ -46,11 +46,6 @@ class LoadsOfCase {
   [[nodiscard]] SimulatorLoads::Stud stud(const CarriedPoint& point) const {
     return {moving_body(point.on), metre_ * spatial(place_of(point, on_.bars, body()))};
   }
-  /// Tendons and actuators have names of their own, the motor's among them.
-  [[nodiscard]] std::string unlike_others(std::string name) {
-    while (!taken_.insert(name).second) name += '_';
-    return name;
-  }
   [[nodiscard]] double size() const { return metre_ * on_.bars.lengths().perimeter() / 4; }
 
   void add_mass(const CarriedMass& mass) {
@@ -67,7 +62,7 @@ class LoadsOfCase {
   void add_force(const ExtraLoad& extra) {
     const bool turns = extra.turns_with_body && extra.at.on != LoadedBody::ground;
     const Point force = turns ? extra.force * frame_of(extra.at.on, on_.bars, body()).axis : extra.force;
-    found_.forces.push_back({unlike_others(extra.name), stud(extra.at), spatial(force), turns});
+    found_.forces.push_back({names_.unlike_others(extra.name), stud(extra.at), spatial(force), turns});
   }
 
   void add_spring(std::size_t k, const std::optional<LoadReport>& report) {
@@ -80,7 +75,7 @@ class LoadsOfCase {
       return;
     }
     SimulatorLoads::Line line;
-    line.name = unlike_others(spring_name(loads_, k));
+    line.name = names_.unlike_others(spring_name(loads_, k));
     line.from = stud(spring.from);
     line.to = stud(spring.to);
     if (const auto* gas = std::get_if<GasSpring>(&spring.law))
@@ -126,7 +121,7 @@ class LoadsOfCase {
   const Loads& loads_;
   LoadCase case_;
   double metre_;
-  std::set<std::string> taken_ = {"motor"};
+  UnlikeNames names_{{"motor"}};  ///< of tendons and actuators
   SimulatorLoads found_;
 };
 

@@ -73,6 +73,10 @@ export interface Properties {
   max_pin_force: number;
   max_torque: number; // N·m, of the driving crank
   cylinder_force: number;
+  self_rise_deg: number; // turn of the body where it begins to rise by itself: the whole where it does not
+  self_close_deg: number; // where it begins to close by itself: 0 where it does not
+  hand_force_error: number; // N, of the stations at which hand_force is looked for
+  best_F1: number; // N, of a spring that leaves it free
 }
 export type Property = keyof Properties;
 

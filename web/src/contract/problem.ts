@@ -521,6 +521,14 @@ export interface CarriedPoint {
   on: LoadedBody;
   at: readonly [number, number];
 }
+export interface FreeStrength {
+  /** N; the weakest spring there is, of 1 N, where it is not given. */
+  min_F1?: number;
+  /** N: without it the search runs into short strong springs. */
+  max_F1: number;
+  /** N, of the cases that count for it. */
+  min_hold_open?: number;
+}
 /** As catalogues have it (GB/T 25751). */
 export interface GasSpring {
   kind: "gas";
@@ -544,6 +552,8 @@ export interface GasSpring {
   rod_diameter?: number;
   /** How the force grows with the temperature, of that at 20 °C; null: as an ideal gas, 3.41. */
   percent_per_10K?: number | null;
+  /** Leaves the strength free: each linkage has the one with which the largest force of its hand is least. F1 to F4 then say how much the force grows over the stroke, and what friction takes. One spring at most. */
+  best_F1?: FreeStrength;
 }
 export interface CoilSpring {
   kind: "coil";

@@ -371,8 +371,12 @@ export interface WorstReadOuts {
 /** The forces in the linkage from position 1 to the last one. */
 export interface LoadReport {
   cases: readonly LoadCaseReport[];
-  /** Of the cases that count. */
+  /** Of the cases that count; self_rise and self_close as absolute turns of the body from position 1, degrees. */
   worst: WorstReadOuts;
+  /** Of the spring that leaves it free, N: all the rest is told of it. */
+  best_F1?: number;
+  /** No strength does what is asked of it: there is no worst, and the cases are those of the forces that are given. */
+  why_no_F1?: Notice;
 }
 export interface Swapped {
   type: LinkageType;

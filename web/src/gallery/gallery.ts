@@ -2,12 +2,14 @@
 import airtight_hatch from "../../../examples/airtight_hatch.json?raw";
 import ankle_orthosis from "../../../examples/ankle_orthosis.json?raw";
 import antenna_pointing from "../../../examples/antenna_pointing.json?raw";
+import bean_stirrer from "../../../examples/bean_stirrer.json?raw";
 import corner_drawer from "../../../examples/corner_drawer.json?raw";
 import counterbalanced_lid from "../../../examples/counterbalanced_lid.json?raw";
 import cylinder_bucket from "../../../examples/cylinder_bucket.json?raw";
 import dump_bucket from "../../../examples/dump_bucket.json?raw";
 import drawer_hinge from "../../../examples/drawer_hinge.json?raw";
 import dough_mixer from "../../../examples/dough_mixer.json?raw";
+import film_advance from "../../../examples/film_advance.json?raw";
 import film_claw from "../../../examples/film_claw.json?raw";
 import flow_meter_as_made from "../../../examples/flow_meter_as_made.json?raw";
 import folding_table from "../../../examples/folding_table.json?raw";
@@ -36,6 +38,7 @@ import tailgate_struts from "../../../examples/tailgate_struts.json?raw";
 import thread_take_up from "../../../examples/thread_take_up.json?raw";
 import transfer_arm from "../../../examples/transfer_arm.json?raw";
 import universal_joint_like from "../../../examples/universal_joint_like.json?raw";
+import walking_foot from "../../../examples/walking_foot.json?raw";
 import walking_leg_path from "../../../examples/walking_leg_path.json?raw";
 import windscreen_wiper from "../../../examples/windscreen_wiper.json?raw";
 import wrist_orthosis from "../../../examples/wrist_orthosis.json?raw";
@@ -77,6 +80,9 @@ const files = {
   walking_leg_path,
   packaging_feeder,
   garage_door_point,
+  bean_stirrer,
+  walking_foot,
+  film_advance,
   sine_generator,
   log_generator,
   flow_meter_as_made,

@@ -104,6 +104,10 @@ const handle = object<Handle>(
 );
 const of_spring = {name, count: positive, kind: one_of(["gas", "coil", "torsion"])};
 const between = {...of_spring, from: carried_point, to: carried_point};
+const free_strength = object<NonNullable<Gas["best_F1"]>>(
+  {min_F1: not_negative, max_F1: positive, min_hold_open: number},
+  "max_F1",
+);
 const springs: Record<Spring["kind"], Read> = {
   gas: object<Gas>(
     {
@@ -118,6 +122,7 @@ const springs: Record<Spring["kind"], Read> = {
       friction: not_negative,
       rod_diameter: not_negative,
       percent_per_10K: or_null(number),
+      best_F1: free_strength,
     },
     ...(["kind", "from", "to", "extended_length", "stroke", "F1", "F2"] as const),
   ),
@@ -206,6 +211,8 @@ export function has_of(loads: Loads, needs: string): boolean {
       return true;
     case "hand":
       return loads.handle !== undefined;
+    case "free":
+      return loads.springs?.some((one) => one.kind === "gas" && one.best_F1 !== undefined) ?? false;
     case "crank":
       return drive_of(loads) === "input" || drive_of(loads) === "output";
     default:

@@ -56,6 +56,19 @@ const force = ({span, ...described}: Described): PropertyDescription => ({
   levels: even_levels,
 });
 
+const turn_span = (): [number, number] => [0, 90];
+const turned = (text: "loads.rises_from" | "loads.closes_from", larger_is_better: boolean): PropertyDescription => ({
+  text,
+  short: text,
+  term: null,
+  requirement: null,
+  needs: "hand",
+  larger_is_better,
+  quantity: "fine_angle",
+  in_degrees: true,
+  span: turn_span,
+  levels: even_levels,
+});
 const properties: Record<string, PropertyDescription> = {
   hand_force: force({
     text: "loads.hand_force",
@@ -112,6 +125,27 @@ const properties: Record<string, PropertyDescription> = {
     quantity: "torque",
     span: (_, typical, {loads = {}}) => [0, round_step((typical_force(loads) * typical) / 1000)],
   },
+  self_rise_deg: turned("loads.rises_from", false),
+  self_close_deg: turned("loads.closes_from", true),
+  best_F1: force({
+    text: "loads.best_f1",
+    short: "loads.best_f1",
+    term: null,
+    requirement: null,
+    needs: "free",
+    span: ({springs = []}) => [
+      0,
+      round_step(most_of([1, ...springs.map((one) => (one.kind === "gas" ? (one.best_F1?.max_F1 ?? 0) : 0))])),
+    ],
+  }),
+  hand_force_error: force({
+    text: "loads.hand_error",
+    short: "loads.hand_error",
+    term: null,
+    requirement: null,
+    needs: "hand",
+    span: (loads) => [0, round_step(0.05 * typical_force(loads))],
+  }),
   cylinder_force: force({
     text: "loads.cylinder_force",
     short: "loads.cylinder_short",

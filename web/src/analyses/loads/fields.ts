@@ -288,6 +288,35 @@ export const spring_lines: OfSpring = (spring, loads, index, unit) => {
       ];
   }
 };
+/** Leaves the strength free: each linkage has the best one. */
+function strength_lines({best_F1}: Gas, put: (change: Partial<Gas>) => Loads): NumberLine[] {
+  const most: NumberLine = {
+    key: "best_F1",
+    name: t("loads.best_f1_most"),
+    value: best_F1?.max_F1 ?? null,
+    unit: "N",
+    low: 1,
+    by: 5,
+    optional: true,
+    placeholder: "–",
+    with_value: (value) => put({best_F1: value ? {...best_F1, max_F1: value} : undefined}),
+  };
+  if (!best_F1) return [most];
+  return [
+    most,
+    {
+      key: "best_F1_hold_open",
+      name: t("loads.place_hold_open"),
+      value: best_F1.min_hold_open ?? null,
+      unit: "N",
+      low: -1e9,
+      by: 1,
+      optional: true,
+      placeholder: "–",
+      with_value: (value) => put({best_F1: {...best_F1, min_hold_open: value ?? undefined}}),
+    },
+  ];
+}
 /** What a sheet of a gas spring may tell beside. */
 export function rare_gas_lines(gas: Gas, loads: Loads, index: number, unit: string): NumberLine[] {
   const put = putting<Gas>(loads, index);
@@ -326,6 +355,7 @@ export function rare_gas_lines(gas: Gas, loads: Loads, index: number, unit: stri
       placeholder: "3.41",
       with_value: (value) => put({percent_per_10K: value ?? undefined}),
     },
+    ...strength_lines(gas, put),
   ];
 }
 /** As sheets tell friction: by one number, or by the forces of compressing. */

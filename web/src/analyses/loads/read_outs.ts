@@ -91,6 +91,12 @@ export function missed_limit(
   return t(is_least ? "loads.at_least" : "loads.at_most", {limit: text(limit), by: text(missing, 2)});
 }
 
+/** Of the spring that leaves it free. */
+function strength_rows({cases, best_F1, why_no_F1}: LoadReport): ReadOutRow[] {
+  if (best_F1 === undefined && why_no_F1 === undefined) return [];
+  const told = best_F1 === undefined ? {text: none, limit: t("loads.no_f1")} : {text: force_text(best_F1), limit: null};
+  return [{key: "best_F1", worst: null, name: t("loads.best_f1"), values: cases.map(() => told)}];
+}
 function stroke_rows({cases}: LoadReport, unit: string): ReadOutRow[] {
   const gas = (cases[0]?.springs ?? []).flatMap(({stroke_left}, i) => (stroke_left === null ? [] : [i]));
   return gas.map((i) => ({
@@ -133,6 +139,7 @@ export function read_out_rows(report: LoadReport, about: About): ReadOutRow[] {
   };
   const has = (key: "max_open_force" | "max_torque" | "cylinder_force") => cases.some((of) => of[key] !== null);
   return [
+    ...strength_rows(report),
     ...(has("max_open_force")
       ? [
           {...limited("max_open_force", t("loads.opens_with"), (of) => of.max_open_force), term: "hand_force" as const},

@@ -1,0 +1,110 @@
+#include "linkwright/planar/fitted_path.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <gtest/gtest.h>
+
+#include "linkwright/core/angle.hpp"
+#include "planar/fitted_path_family.hpp"
+#include "planar/length_check.hpp"
+
+namespace linkwright::fitted_path_test {
+namespace {
+
+PathTask oval() {
+  PathTask task;
+  for (int k = 0; k < 14; ++k) {
+    const double t = two_pi * k / 14;
+    task.points.push_back({{80 * std::cos(t), 30 * std::sin(t) + 12 * std::sin(2 * t)}, {}, {}, {}, {}, {}});
+  }
+  task.closed = true;
+  return task;
+}
+
+TaskFamily family_of(const PathTask& task) {
+  FitWishes wishes;
+  wishes.effort = FitEffort::quick;
+  return family_of_nearest(task, {}, wishes, {});
+}
+
+TEST(FittedPath, HasPositionsThatItsLinksReach) {
+  const TaskFamily given = family_of(oval());
+  ASSERT_TRUE(given.paths);
+  for (const MapPoint place : given.paths->few_places()) {
+    const auto links = given.paths->dyad_pair(place);
+    if (!links) continue;
+    const FourBar bars = given.frame().to_user(*four_bar_of(*links));
+    const auto poses = given.paths->user_poses(place, bars);
+    ASSERT_EQ(poses.size(), 5u);
+    const LengthCheck lengths(poses);
+    EXPECT_LT(lengths.residual(bars.input_fixed, bars.input_moving), 1e-10);
+    EXPECT_LT(lengths.residual(bars.output_fixed, bars.output_moving), 1e-10);
+  }
+}
+
+TEST(FittedPath, HasCellsWithItsErrorThatAreGoodOnlyWhereTheInputTurnsFully) {
+  const TaskFamily given = family_of(oval());
+  ASSERT_TRUE(given.paths);
+  int good = 0;
+  for (const MapPoint place : given.paths->few_places()) {
+    const auto cell = given.paths->cell(place);
+    if (!cell) continue;
+    EXPECT_DOUBLE_EQ(cell->values[4], given.paths->fitted_at(place)->error.rms);
+    EXPECT_EQ(cell->values[0], cell->values[1]) << "it is run all along";
+    if (!cell->defects.none()) continue;
+    ++good;
+    EXPECT_TRUE(input_is_crank(cell->type));
+  }
+  EXPECT_GT(good, 0);
+}
+
+TEST(FittedPath, HasThreeFourBarsThatAreOneDesign) {
+  const TaskFamily given = family_of(oval());
+  ASSERT_TRUE(given.paths);
+  const std::vector<Cell> all = given.paths->all_at({0.5, 0.5}, true);
+  ASSERT_EQ(all.size(), 3u);
+  for (const Cell& cell : all) EXPECT_EQ(given.paths->distance(all.front().pivots, cell.pivots), 0);
+  const auto other = given.paths->cell({1.5, 0.5});
+  ASSERT_TRUE(other);
+  EXPECT_GT(given.paths->distance(all.front().pivots, other->pivots), 0);
+  for (const Cell& cell : all) {
+    const auto fit = given.paths->fitted_at(cell.place);
+    ASSERT_TRUE(fit);
+    EXPECT_EQ(fit->realisations.size(), 3u);
+    EXPECT_NEAR(std::abs(fit->realisations.front().input_fixed - four_bar_of(cell.pivots).input_fixed), 0, 1e-9);
+  }
+}
+
+TEST(FittedPath, TellsErrorsOfThePointsAlone) {
+  PathTask task = oval();
+  task.between = PathBetween::polyline;
+  const TaskFamily given = family_of(task);
+  ASSERT_TRUE(given.paths);
+  const auto fit = given.paths->fitted_at({0.5, 0.5});
+  ASSERT_TRUE(fit);
+  ASSERT_EQ(fit->at.size(), 14u);
+  double squares = 0, largest = 0;
+  for (const FittedPath::Nearest& at : fit->at) {
+    squares += at.distance * at.distance;
+    largest = std::max(largest, at.distance);
+    EXPECT_NEAR(std::abs(at.place - task.points[at.point].point), at.distance, 1e-12 * 80);
+  }
+  EXPECT_NEAR(fit->error.rms, std::sqrt(squares / 14), 1e-12);
+  EXPECT_EQ(fit->error.max, largest);
+}
+
+TEST(FittedPath, IsNoFamilyWhereNothingKeepsWhatIsAsked) {
+  Requirements impossible;
+  impossible.max_length = 1e-3;
+  impossible.min_length = 1e-4;
+  FitWishes wishes;
+  wishes.effort = FitEffort::quick;
+  const TaskFamily given = family_of_nearest(oval(), impossible, wishes, {});
+  EXPECT_FALSE(given.family);
+  EXPECT_TRUE(given.has_no_dyads);
+  ASSERT_TRUE(given.degeneracy);
+  EXPECT_EQ(given.degeneracy->code, "no_path_fits");
+}
+
+}  // namespace
+}  // namespace linkwright::fitted_path_test
