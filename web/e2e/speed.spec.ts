@@ -215,7 +215,7 @@ const parts = [
 ];
 const visited_most = 820_000; // of all these: they are not at their bounds together
 const rest_of_engine = /\brest-[^/]*\.wasm$/,
-  rest_most = 1_400_000; // fetched at rest
+  rest_most = 1_420_000; // fetched at rest
 
 const sum = (values: readonly number[]) => values.reduce((total, value) => total + value, 0);
 const text_of = (file: string) => readFileSync(join(served, file));
