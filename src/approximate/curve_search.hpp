@@ -11,6 +11,8 @@ namespace linkwright {
 struct SearchEffort {
   std::size_t places, starts;  ///< of a fixed pivot; of the least squares
   std::size_t clean, any;      ///< of the starts with a driver, and without, that go on to the end
+  std::size_t creeping;  ///< of those that have long ground links, and of the others, that go on along flat valleys
+  int creeping_iterations;
 };
 [[nodiscard]] SearchEffort search_effort(FitEffort effort);
 
