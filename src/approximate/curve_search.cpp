@@ -59,7 +59,7 @@ class Search {
   }
 
   std::vector<DyadPair> scanned_pairs() {
-    const std::vector<Point> places = pivot_places(effort_.places, limits_.ground);
+    const std::vector<Point> places = pivot_places(effort_.places, target_.points, limits_.ground);
     std::vector<std::vector<DyadPair>> at(places.size());
     for_all(places.size(), 0, 0.4, [&](std::size_t k) {
       at[k] = scan_pivot(target_, chosen_, chosen_weights_, places[k], limits_.max_length, options_.simd);
@@ -141,7 +141,7 @@ class Search {
 SearchEffort search_effort(FitEffort effort) {
   switch (effort) {
     case FitEffort::quick:
-      return {350, 160, 20, 6, 3, 1500};
+      return {350, 160, 20, 6, 5, 1500};
     case FitEffort::deep:
       return {22400, 12800, 480, 160, 24, 10000};
     default:

@@ -17,8 +17,10 @@ struct SearchEffort {
 [[nodiscard]] SearchEffort search_effort(FitEffort effort);
 
 /// The places of a fixed pivot that are scanned: on a spiral about the target whose turns leave no gaps, as seeds of a
-/// sunflower lie, densely near it and ever more sparsely to nine of its radii; within a box where there is one.
-[[nodiscard]] std::vector<Point> pivot_places(std::size_t count, const std::optional<Box>& within);
+/// sunflower lie, densely near it and ever more sparsely to nine of its radii, and turned with it; within a box where
+/// there is one.
+[[nodiscard]] std::vector<Point> pivot_places(std::size_t count, std::span<const Point> target,
+                                              const std::optional<Box>& within);
 
 struct CurveSearch {
   std::vector<CurveStart> minima;  ///< on all points, the least sum of squares first; distinct curves
