@@ -58,13 +58,13 @@ class Search {
     }
   }
 
-  std::vector<DyadPair> scanned_pairs() {
+  std::vector<ScannedPair> scanned_pairs() {
     const std::vector<Point> places = pivot_places(effort_.places, target_.points, limits_.ground);
-    std::vector<std::vector<DyadPair>> at(places.size());
+    std::vector<std::vector<ScannedPair>> at(places.size());
     for_all(places.size(), 0, 0.4, [&](std::size_t k) {
       at[k] = scan_pivot(target_, chosen_, chosen_weights_, places[k], limits_.max_length, options_.simd);
     });
-    std::vector<DyadPair> pairs;
+    std::vector<ScannedPair> pairs;
     for (const auto& here : at) pairs.insert(pairs.end(), here.begin(), here.end());
     return distinct_pairs(std::move(pairs), effort_.starts);
   }
