@@ -354,6 +354,8 @@ export interface PathTask {
   closed?: boolean;
   /** The path passes near its points: how far from each without a tolerance of its own. */
   tolerance?: number;
+  /** The path passes near its points; between them it is free, or keeps to the polyline. */
+  between?: "free" | "polyline";
 }
 /** What the linkage is for. */
 export type Task = MotionTask | FunctionTask | SixBarTask | SphericalMotionTask | SphericalFunctionTask | StraightLineTask | PathTask;

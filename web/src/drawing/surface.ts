@@ -2,6 +2,7 @@
 // kinds of tasks know no more of it than this.
 import {getContext} from "svelte";
 import type {Linkage, Mistake, Point, TaskAnswer} from "../contract/messages";
+import type {TaskDocument} from "../state/document";
 import type {Problem} from "../state/problem";
 import type {Pose} from "../state/task";
 import type {Toast} from "../state/toasts";
@@ -27,6 +28,7 @@ export interface Desk {
   begin_gesture(): void;
   /** A change inside of a gesture. */
   drag(change: (problem: Problem) => Problem): void;
+  drag_document(change: (document: TaskDocument) => TaskDocument): void;
   edit(change: (problem: Problem) => Problem, merge?: string | null): void;
   undo(): void;
   study<Study extends object>(name: string, make: (of: Workbench) => Study): Study;
@@ -52,6 +54,8 @@ export interface Surface {
   /** Where a part of the task stood when it was pressed, if it stays there while it is dragged. */
   anchor: Point | null;
   guides: readonly Guide[];
+  /** The view is the user's: it is not changed so that a linkage is seen. */
+  touched: boolean;
   /** Numbers beside the pointer; without a reason of their own, with what the engine refuses. */
   tell(at: Point, text: string, reason?: string | null): void;
   /** Where a part of the task that was pressed there may go with linkages left: parts as the engine counts them. */

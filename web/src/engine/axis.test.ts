@@ -197,3 +197,34 @@ describe("a map over the plane", () => {
     });
   });
 });
+
+describe("a map of the nearest paths", () => {
+  const numbered = (quantity: AxisQuantity, count: number): Axis => ({
+    ...straight_axis,
+    quantity,
+    branches: Array.from({length: count}, (_, i) => ({name: quantity, from: i, to: i + 1})),
+    blocks: Array.from({length: count}, (_, i) => ({
+      branch: i,
+      from: i / count,
+      to: (i + 1) / count,
+      knots: [
+        [i / count, i],
+        [(i + 1) / count, i + 1],
+      ],
+    })),
+  });
+  const paths = (count: number) => ({input: numbered("fitted_curve", count), output: numbered("realisation", 3)});
+
+  it("keeps the number of what is picked, however many there are", () => {
+    const picked = settled(paths(5), {tau: [1.5, 2.5], place: null})!;
+    expect(picked.place!.map((place) => Number(place.toFixed(9)))).toEqual([0.3, 0.833333333]);
+    const of_more = settled(paths(20), picked)!;
+    expect(of_more.tau).toEqual([1.5, 2.5]);
+    expect(of_more.place![0]).toBeCloseTo(1.5 / 20, 9);
+    expect(settled(paths(1), picked)).toBeNull();
+  });
+  it("has a row to each, in whose middle it is held", () => {
+    expect(held_tau(paths(5), [1.2, 0.9])).toEqual([1.5, 0.5]);
+    expect(held_window(paths(5), {input: [0, 0.5], output: [0.2, 0.4]})).toBe(whole);
+  });
+});

@@ -195,14 +195,20 @@ export function places_of(axes: Axes, tau: TauPair): TauPair | null {
   return input === null || output === null ? null : [held_place(axes.input, input), held_place(axes.output, output)];
 }
 
+/** Of the nearest paths, the best first: what is picked keeps its number, however many there are. */
+function is_ranked({input}: Axes): boolean {
+  return input.quantity === "fitted_curve";
+}
 /** On the axes of another answer what is picked keeps its place, and τ follows; without a place it gets that of its τ.
  *  Nothing where τ is none of these axes: the engine would take it for another. */
 export function settled(axes: Axes, picked: Picked): Picked | null {
-  const place = picked.place ?? places_of(axes, picked.tau);
+  const kept = is_ranked(axes) ? null : picked.place,
+    place = kept ?? places_of(axes, picked.tau);
   if (!place) return null;
-  const moved = picked.place && tau_of_places(axes, picked.place),
+  const moved = kept && tau_of_places(axes, kept),
     tau = moved ? kept_tau(picked.tau, [in_layer_of(axes.input, picked.tau[0], moved[0]), moved[1]]) : picked.tau;
-  return tau === picked.tau && place === picked.place ? picked : {tau, place};
+  const stays = picked.place !== null && place[0] === picked.place[0] && place[1] === picked.place[1];
+  return tau === picked.tau && stays ? picked : {tau, place};
 }
 /** τ as it was where its place has not moved it: undo restores a linkage to the last bit. */
 function kept_tau(before: TauPair, now: TauPair): TauPair {

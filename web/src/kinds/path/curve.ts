@@ -1,5 +1,6 @@
 // A curve as it is drawn by hand, made smooth, and points along it: as many as a fit takes, closer where it bends.
 import type {Point} from "../../contract/messages";
+import {most_of} from "../../state/ends";
 
 /** So many points describe what is drawn. */
 export const drawn_points = 24;
@@ -25,7 +26,7 @@ export function comes_back(stroke: readonly Point[]): boolean {
   const [first, last] = [stroke[0], stroke.at(-1)],
     near = 0.12 * length_of(stroke);
   if (!first || !last || stroke.length < 8) return false;
-  const farthest = Math.max(...stroke.map((point) => distance(point, first)));
+  const farthest = most_of(stroke.map((point) => distance(point, first)));
   return distance(first, last) <= Math.min(near, 0.5 * farthest);
 }
 /** The end led on to the beginning: what runs on past it is left out, and by what the end lies beside it the whole stroke is

@@ -17,7 +17,6 @@ import {
   angle_key,
   angle_of,
   angle_signs,
-  form_of,
   given_sides,
   is_near,
   is_path,
@@ -176,7 +175,7 @@ function table(task: PathTask, unit: string): {head: string[]; rows: string[][]}
 }
 /** The forms of the engine's maps: the nearest paths, or how many positions have angles, of which link, and which pivots are given. */
 function map_of(task: PathTask): string {
-  if (form_of(task) === "near") return "path near";
+  if (is_near(task)) return "path near";
   const {angled, plain} = angle_counts(task);
   return ["path", angled, plain, angle_key(task) ?? "", ...given_sides(task)].join(" ");
 }
@@ -196,7 +195,6 @@ export const path_kind: TaskKind<PathTask> = {
   default_max_length,
   map_of,
   properties: {
-    ...planar_properties,
     path_error: {
       is_of: is_near,
       text: "region.by_path_error",
@@ -208,6 +206,7 @@ export const path_kind: TaskKind<PathTask> = {
       span: (_, typical) => [0, usual_error * typical],
       levels: length_levels,
     },
+    ...planar_properties,
   },
   types: planar_types,
   requirements: {

@@ -2,7 +2,7 @@
 import {position_count} from "../../state/task";
 import type {TextKey} from "../../texts/texts.svelte";
 import type {Incomplete} from "../kind";
-import {angle_counts, angle_key, form_of, is_near, most_exact, type PathTask} from "./task";
+import {angle_counts, angle_key, form_of, type PathTask} from "./task";
 
 /** Null: it is complete. */
 export function incompleteness(task: PathTask): Incomplete | null {
@@ -32,11 +32,10 @@ function counted(
   return n > most ? many(if_many, tells_count ? n : n - most) : null;
 }
 
-/** A path is fitted to three different points or more; five or fewer of an open one are passed exactly. */
-function of_near(task: PathTask): Incomplete | null {
-  const different = new Set(task.points.map(({x, y}) => `${x} ${y}`)).size;
-  if (different < 3) return few("state.path_few_near", 3 - different);
-  return is_near(task) ? null : few("state.path_near_exact", most_exact + 1 - task.points.length);
+/** A path is fitted to three different points or more. */
+function of_near({points}: PathTask): Incomplete | null {
+  const different = new Set(points.map(({x, y}) => `${x} ${y}`)).size;
+  return different < 3 ? few("state.path_few_near", 3 - different) : null;
 }
 /** Three positions with angles go with two without, four with one. */
 function of_some_angles(task: PathTask): Incomplete | null {

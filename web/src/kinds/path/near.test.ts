@@ -15,7 +15,7 @@ import {
   with_tolerance,
 } from "./points";
 import {path_kind} from "./kind";
-import {form_of, is_near, type PathPoint, type PathTask} from "./task";
+import {is_near, type PathPoint, type PathTask} from "./task";
 
 const round = (count: number): PathPoint[] =>
   Array.from({length: count}, (_, i) => {
@@ -34,6 +34,7 @@ describe("a path is near its points", () => {
     ["closed", {closed: true, points: round(4)}, true],
     ["with a tolerance", {tolerance: 1, points: round(4)}, true],
     ["that keeps to the polygon", {between: "polyline" as const, points: round(4)}, true],
+    ["that is free between", {between: "free" as const, points: round(4)}, true],
     ["with a weight", {points: [...round(3), {x: 0, y: 0, weight: 2}]}, true],
     ["with a tolerance of a point", {points: [...round(3), {x: 0, y: 0, tolerance: 2}]}, true],
     ["of six points", {points: round(6)}, true],
@@ -43,18 +44,18 @@ describe("a path is near its points", () => {
   ])("%s", (_, more, near) => {
     expect(is_near(task(problem(more)))).toBe(near);
   });
-  it("stays so with however few points, and says what is missing", () => {
+  it("stays so with however few points, whatever else is taken away, and says what is missing", () => {
     const few = with_points(problem({}), (points) => points.slice(0, 4));
-    expect([form_of(task(few)), is_near(task(few))]).toEqual(["near", false]);
-    expect(incompleteness(task(few))).toEqual({state: "too_few", text: "state.path_near_exact", n: 2});
-    expect(incompleteness(task(with_closed(few, true)))).toBeNull();
-    expect(incompleteness(task(with_between(few, true)))).toBeNull();
-    expect(incompleteness(task(with_tolerance(few, 0.5)))).toBeNull();
+    expect([task(few).between, is_near(task(few)), incompleteness(task(few))]).toEqual(["free", true, null]);
+    for (const given of [with_closed(few, true), with_between(few, true), with_tolerance(few, 0.5)])
+      expect(task(with_tolerance(with_between(with_closed(given, false), false), null))).toEqual(task(few));
     const none = with_points(few, () => []);
     expect(incompleteness(task(none))).toEqual({state: "too_few", text: "state.path_few_near", n: 3});
     expect(task(with_clicked(none, [3, 4])!).points).toEqual([{x: 3, y: 4}]);
     const one = problem({closed: true, points: Array.from({length: 5}, () => ({x: 1, y: 1}))});
     expect(incompleteness(task(one))!.n).toBe(2);
+    const exact = problem({points: round(4), given: {ground_pivots: {input: [1, 1]}}});
+    expect(task(with_points(exact, (points) => points.slice(1)))).not.toHaveProperty("between");
   });
 });
 
@@ -62,7 +63,7 @@ describe("its form", () => {
   it("takes away what goes with points that are passed exactly, and gives it back to none", () => {
     const timed = problem({points: round(4).map((point, i) => ({...point, input_deg: 30 * i}))}),
       near = with_form(timed, "near", null);
-    expect(task(near)).toEqual({kind: "path", mechanism: "four_bar", closed: false, points: round(4)});
+    expect(task(near)).toEqual({kind: "path", mechanism: "four_bar", between: "free", points: round(4)});
     const full = with_point_number(with_tolerance(with_closed(near, true), 2), 1, "weight", 3);
     expect(task(full).points[1]).toEqual({...round(4)[1], weight: 3});
     const back = with_form(with_effort(full, "deep"), "pivots", null);

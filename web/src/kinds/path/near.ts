@@ -2,7 +2,7 @@
 import type {Options} from "../../contract/problem";
 import {with_options, type Problem} from "../../state/problem";
 import {without_angle} from "./angles";
-import {is_near, is_path, type PathPoint, type PathTask} from "./task";
+import {asks_for_near, is_near, is_path, type PathPoint, type PathTask} from "./task";
 
 export const efforts = ["quick", "standard", "deep"] as const;
 export type Effort = (typeof efforts)[number];
@@ -23,11 +23,14 @@ export function with_quick_fit(problem: Problem): Problem {
   return is_path(task) && is_near(task) ? with_effort(problem, "quick") : problem;
 }
 
+/** Near its points, however few there are and whatever else was taken away. */
+export function kept_near(task: PathTask): PathTask {
+  return asks_for_near(task) ? task : {...task, between: "free"};
+}
 /** Without what only a path that passes through its points has; its points stay. */
 export function near_task({given: _, ...task}: PathTask): PathTask {
   return {
-    ...task,
-    closed: task.closed ?? false,
+    ...kept_near(task),
     points: task.points.map((point) => {
       const {derivatives: _, ...place} = without_angle(point);
       return place;

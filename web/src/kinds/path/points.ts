@@ -7,7 +7,7 @@ import {without_unmet} from "../kind_dispatch";
 import {smoothed} from "./curve";
 import {angle_ahead, angle_between, evenly_timed, some_angled, with_angle_on, without_angle} from "./angles";
 import {wanted_point} from "./missing";
-import {near_task, exact_task} from "./near";
+import {exact_task, kept_near, near_task} from "./near";
 import {angle_key, angle_of, form_of, given_sides, is_near, is_path, pivots_of, place_of} from "./task";
 import type {AngleKey, GroundPivots, PathForm, PathPoint, PathTask} from "./task";
 
@@ -23,21 +23,21 @@ function changed(problem: Problem, change: (task: PathTask) => PathTask): Proble
   const edited = fitting_options(without_unmet(with_task(problem, change(task))));
   return problem.options?.box && edited.task !== task ? with_options(edited, {box: undefined}) : edited; // of a file
 }
+/** It stays near its points where it was. */
+function changed_alike(problem: Problem, change: (task: PathTask) => PathTask): Problem {
+  return changed(problem, (task) => (is_near(task) ? kept_near(change(task)) : change(task)));
+}
 /** What is said of how the nearest paths are found, and ranked, goes with such tasks only. */
 function fitting_options(problem: Problem): Problem {
   const {options} = problem;
-  if (is_near(problem.task as PathTask) || form_of(problem.task as PathTask) === "near") return problem;
+  if (is_near(problem.task as PathTask)) return problem;
   const by_error = options?.objective === "path_error";
   return options?.fit || by_error
     ? with_options(problem, {fit: undefined, ...(by_error ? {objective: undefined} : {})})
     : problem;
 }
 export function with_points(problem: Problem, change: (points: readonly PathPoint[]) => readonly PathPoint[]): Problem {
-  return changed(problem, (task) => ({
-    ...task,
-    ...(form_of(task) === "near" ? {closed: task.closed ?? false} : {}), // however few there will be
-    points: change(task.points),
-  }));
+  return changed_alike(problem, (task) => ({...task, points: change(task.points)}));
 }
 export function with_point(problem: Problem, index: number, change: Partial<PathPoint>): Problem {
   return with_points(problem, (points) => points.map((one, i) => (i === index ? {...one, ...change} : one)));
@@ -169,20 +169,19 @@ export function with_pivot_of(problem: Problem, side: Side): Problem {
 
 /** A path that is to pass near these. */
 export function with_near_points(problem: Problem, places: readonly Point[], closed: boolean): Problem {
-  return changed(problem, (task) => ({
-    ...near_task(task),
-    closed,
+  return changed(problem, ({closed: _, ...task}) => ({
+    ...near_task(closed ? {...task, closed} : task),
     points: places.map(([x, y]): PathPoint => ({x, y})),
   }));
 }
 export function with_closed(problem: Problem, closed: boolean): Problem {
-  return changed(problem, (task) => ({...task, closed}));
+  return changed_alike(problem, ({closed: _, ...task}) => (closed ? {...task, closed} : task));
 }
 export function with_between(problem: Problem, polyline: boolean): Problem {
-  return changed(problem, ({between: _, ...task}) => (polyline ? {...task, between: "polyline"} : task));
+  return changed_alike(problem, ({between: _, ...task}) => (polyline ? {...task, between: "polyline"} : task));
 }
 export function with_tolerance(problem: Problem, tolerance: number | null): Problem {
-  return changed(problem, ({tolerance: _, ...task}) => (tolerance === null ? task : {...task, tolerance}));
+  return changed_alike(problem, ({tolerance: _, ...task}) => (tolerance === null ? task : {...task, tolerance}));
 }
 /** Of one point; null takes it off. */
 export function with_point_number(

@@ -29,11 +29,11 @@ export interface PathTask extends Task {
   /** In the order in which they are passed. */
   points: readonly PathPoint[];
   given?: {ground_pivots: GroundPivots};
-  /** Given at all: the path is to pass near the points, true: and from the last on to the first. */
+  /** The path passes near the points, and goes on from the last to the first. */
   closed?: boolean;
-  /** Likewise: how far off at points without their own. */
+  /** The path passes near the points: how far off those may be that have none of their own. */
   tolerance?: number;
-  /** Likewise: between its points it keeps to the polygon through them. */
+  /** The path passes near the points: between them it is free, or keeps to the polygon through them. */
   between?: "free" | "polyline";
 }
 
@@ -93,14 +93,14 @@ export function asks_for_near({closed, tolerance, between, points}: PathTask): b
   return (
     closed === true ||
     tolerance !== undefined ||
-    between === "polyline" ||
+    between !== undefined ||
     points.some((point) => point.tolerance !== undefined || point.weight !== undefined)
   );
 }
-export const most_exact = 5;
+const most_exact = 5;
 /** A task without points is to have angles at all that will come. */
 export function form_of(task: PathTask): PathForm {
-  if (task.closed !== undefined || is_near(task)) return "near";
+  if (is_near(task)) return "near";
   const pivots = given_sides(task).length;
   if (pivots) return pivots === 1 ? "pivot" : "pivots";
   return task.points.every(({input_deg}) => input_deg !== undefined) ? "angles" : "some";
