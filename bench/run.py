@@ -16,7 +16,7 @@ import statistics
 import subprocess
 import sys
 
-from peers import (burmester_phc, five_orientations_phc, loads_numpy, path_numpy, path_phc, phc, region_numpy, sphere_numpy,
+from peers import (burmester_phc, fit_scipy, five_orientations_phc, loads_numpy, path_numpy, path_phc, phc, region_numpy, sphere_numpy,
                    straight_line_numpy, tolerances_numpy)
 
 TASKS = ("landing_gear", "drawer_hinge", "tailgate")
@@ -268,6 +268,27 @@ def print_path_figures(figures):
         print(f"  phc -b: {min(theirs['ms']):.0f} ms, {min(theirs['ms']) / ours:.0f}×; real ones differ by {theirs['worst_difference']:.1e}")
 
 
+def fit_figures(bench, seconds=10):
+    """Paths near published points: sum of squares and milliseconds of the processor by effort, and what scipy finds from random
+    starts in some seconds."""
+    figures = {}
+    for name, entry in run_benchmarks(bench, "^fit/").items():
+        _, target, effort = name.split("/")
+        figures.setdefault(target, {})[effort] = {"sum_of_squares": entry["sum_of_squares"], "ms": entry["cpu_time"]}
+    folder = os.path.join(os.path.dirname(os.path.abspath(__file__)), "../data/approximate")
+    for target, of in figures.items():
+        best, starts = fit_scipy.measure(f"{folder}/{target}.json", seconds)
+        of["scipy"] = {"sum_of_squares": best, "ms": 1e3 * seconds, "starts": starts}
+    return figures
+
+
+def print_fit_figures(figures):
+    print("\nnearest paths: sum of squares and ms of the processor; scipy's needs no linkage that can be driven")
+    for target, of in figures.items():
+        cells = (f"{name} {each['sum_of_squares']:.5g} in {each['ms']:.0f}" for name, each in of.items())
+        print(f"  {target:<12}" + ", ".join(cells) + f" ({of['scipy']['starts']} starts)")
+
+
 def main(arguments):
     options, rest = parse(arguments)
     if rest:
@@ -304,8 +325,11 @@ def main(arguments):
     print_load_figures(loads)
     paths = path_figures(options.bench, options.rounds)
     print_path_figures(paths)
+    fits = fit_figures(options.bench)
+    print_fit_figures(fits)
     five = {
         "paths": paths,
+        "nearest_paths": fits,
         "sphere": sphere,
         "straight_lines": lines,
         "tolerances": tolerances,

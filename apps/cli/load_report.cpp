@@ -65,6 +65,14 @@ std::string springs_table(const LoadStudy& study) {
   return "\nSprings" + unit + ":\n" + table.text();
 }
 
+/// Of the spring that leaves its strength free.
+std::string strength_words(const LoadReport& report) {
+  if (report.best_f1)
+    return wrapped(fmt::format("F1 that is left free: {} N has the least force of the hand.",
+                               significant_text(*report.best_f1, 4)));
+  return report.why_no_f1 ? wrapped("F1 that is left free: there is none. " + report.why_no_f1->message) : "";
+}
+
 std::string rest_words(const LoadReport& report) {
   std::string text;
   for (const CaseReport& of : report.cases) {
@@ -89,7 +97,7 @@ std::string rest_words(const LoadReport& report) {
 std::string load_words(const LoadStudy& study) {
   std::string text;
   if (study.loads.handle) text += hand_table(study.report);
-  return text + pins_table(study) + springs_table(study) + rest_words(study.report);
+  return text + pins_table(study) + springs_table(study) + strength_words(study.report) + rest_words(study.report);
 }
 
 namespace {

@@ -56,11 +56,11 @@ class Travel {
 };
 
 // The two directions that are in line at a dead point of a driver.
-std::array<Point, 2> joined(Driver driver, const LoopState& at, Point output) {
+std::array<Point, 2> joined(CurveDriver driver, const LoopState& at, Point output) {
   switch (driver) {
-    case Driver::e:
+    case CurveDriver::e:
       return {at.u, output};
-    case Driver::u:
+    case CurveDriver::u:
       return {at.e, output};
     default:
       return {at.e, at.u};
@@ -75,7 +75,7 @@ class DriverCheck {
     last_ = closed ? first_ + static_cast<long>(round_) : std::max(first_, static_cast<long>(std::floor(way.high)));
   }
 
-  [[nodiscard]] CircuitDrive::OfDriver of(Driver driver) const {
+  [[nodiscard]] CircuitDrive::OfDriver of(CurveDriver driver) const {
     CircuitDrive::OfDriver found{true, false, 1};
     int side = 0;
     for (long k = first_; k <= last_; ++k) {
@@ -97,10 +97,10 @@ class DriverCheck {
     return circuit_.states()[static_cast<std::size_t>(((k % n) + n) % n)];
   }
   [[nodiscard]] Point output(const LoopState& at) const { return LoopGradient(linkage_, at).g / linkage_.b; }
-  [[nodiscard]] Point direction_of(Driver driver, const LoopState& at) const {
-    return driver == Driver::e ? at.e : driver == Driver::u ? at.u : output(at);
+  [[nodiscard]] Point direction_of(CurveDriver driver, const LoopState& at) const {
+    return driver == CurveDriver::e ? at.e : driver == CurveDriver::u ? at.u : output(at);
   }
-  [[nodiscard]] double turning(Driver driver) const {
+  [[nodiscard]] double turning(CurveDriver driver) const {
     double sum = 0;
     for (long k = 0; k < static_cast<long>(round_); ++k) {
       const Point from = direction_of(driver, state(k)), to = direction_of(driver, state(k + 1));
@@ -172,7 +172,7 @@ CircuitDrive drive_along_circuit(const CouplerLinkage& linkage, std::span<const 
   if (!way) return drive;
   drive.in_order = true;
   const DriverCheck check(linkage, circuit, *way, closed);
-  for (const Driver driver : {Driver::e, Driver::u, Driver::g})
+  for (const CurveDriver driver : {CurveDriver::e, CurveDriver::u, CurveDriver::g})
     drive.drivers[static_cast<std::size_t>(driver)] = check.of(driver);
   compare_paths(circuit, *way, targets, closed, drive);
   return drive;

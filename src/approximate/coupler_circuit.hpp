@@ -41,7 +41,7 @@ class CouplerCircuit {
 
 /// A direction of the linkage that can be driven: that of the input e, of the coupler u, or of the output g = B − B0.
 /// Each is that of an input in two of the curve's six linkages (three realisations, either grounded link).
-enum class Driver : std::uint8_t { e, u, g };
+enum class CurveDriver : std::uint8_t { e, u, g };
 
 /// What driving along the circuit showed.
 struct CircuitDrive {
@@ -55,7 +55,7 @@ struct CircuitDrive {
   double excursion = 0;          ///< of the path on the way from the polygon through the targets
   double path_length_ratio = 0;  ///< of the way over the polygon
 
-  [[nodiscard]] const OfDriver& of(Driver driver) const { return drivers[static_cast<std::size_t>(driver)]; }
+  [[nodiscard]] const OfDriver& of(CurveDriver driver) const { return drivers[static_cast<std::size_t>(driver)]; }
 };
 
 /// Goes along the circuit of the first state, and meets the others in turn. Going back along the path by no more than

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <optional>
 
 #include "linkwright/mechanism/four_bar.hpp"
@@ -22,7 +23,7 @@ struct CouplerLinkage {
   double a = 0, h = 0, b = 0;
   Point p{};
 
-  [[nodiscard]] LinkLengths lengths() const { return {std::abs(b0 - a0), a, h, b}; }
+  [[nodiscard]] LinkLengths lengths() const { return {std::sqrt(std::norm(b0 - a0)), a, h, b}; }
 };
 
 /// Configuration by the unit vectors along input and coupler: no angle, so no sine and no wrap.
@@ -49,29 +50,37 @@ struct LoopGradient {
   return linkage.a0 + linkage.a * at.e + product(linkage.p, at.u);
 }
 
-/// Turned by small angles of e and u: by their arc tangents, exactly of unit length.
+/// Turned by small angles of e and u: by their arc tangents, and of unit length to rounding.
 [[nodiscard]] inline LoopState turned(const LoopState& state, double by_e, double by_u) {
-  const auto turn = [](Point v, double by) { return (v + by * quarter_turn(v)) / std::sqrt(1 + by * by); };
-  const auto unit = [](Point v) { return v * (1.5 - 0.5 * std::norm(v)); };  // what rounding takes away
-  return {unit(turn(state.e, by_e)), unit(turn(state.u, by_u))};
+  const auto turn = [](Point v, double by) {
+    constexpr double small = 1e-4;  // of the square: there the series of 1/sqrt(1 + square) is exact to 3e-13
+    const double square = by * by;
+    const double scale = square < small ? 1 - square * (0.5 - 0.375 * square) : 1 / std::sqrt(1 + square);
+    const Point there = scale * (v + by * quarter_turn(v));
+    return (1.5 - 0.5 * std::norm(there)) * there;  // a step of Newton's towards unit length
+  };
+  return {turn(state.e, by_e), turn(state.u, by_u)};
 }
 
-/// Newton's method onto the curve of states, along the gradient; false where it does not get there.
+/// Newton's method onto the curve of states, along the gradient, as far as rounding lets it; false where it does not
+/// get there.
 [[nodiscard]] inline bool close_loop(const CouplerLinkage& linkage, LoopState& state) {
-  constexpr double closed = 1e-15, longest_step = 0.5;  // f over the square of the largest length
+  constexpr double closed = 1e-15, closed_enough = 1e-12;  // f over the square of the largest length
+  constexpr double longest_step = 0.5;                     // radians
   constexpr int most_steps = 12;
   const double scale = std::max({std::norm(linkage.a0 - linkage.b0), linkage.a * linkage.a, linkage.b * linkage.b});
+  double before = std::numeric_limits<double>::infinity();
   for (int step = 0; step < most_steps; ++step) {
     const LoopGradient loop(linkage, state);
-    if (std::abs(loop.f) <= closed * scale) return true;
-    const double square = loop.square();
+    const double error = std::abs(loop.f), square = loop.square();
+    if (error <= closed * scale || (error <= closed_enough * scale && error > 0.5 * before)) return true;
     if (!(square > 0)) return false;
+    before = error;
     double by = -loop.f / square;
-    const double length = std::abs(by) * std::sqrt(square);
-    if (length > longest_step) by *= longest_step / length;
+    const double square_length = by * by * square;
+    if (square_length > longest_step * longest_step) by *= longest_step / std::sqrt(square_length);
     state = turned(state, by * loop.f_e, by * loop.f_u);
   }
-  constexpr double closed_enough = 1e-12;
   return std::abs(LoopGradient(linkage, state).f) <= closed_enough * scale;
 }
 

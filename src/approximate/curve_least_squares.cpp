@@ -66,7 +66,7 @@ CouplerLinkage moved(const CouplerLinkage& l, const Numbers& by) {
 }
 
 std::array<FitRow, 2> rows_of(const LoopSlide& slide) {
-  const double speed = std::abs(slide.velocity);
+  const double speed = std::sqrt(std::norm(slide.velocity));
   const Point tangent = speed > 0 ? slide.velocity / speed : Point{1, 0}, normal = quarter_turn(tangent);
   const double left = std::sqrt(LoopSlide::rest * slide.stiffness);
   std::array<FitRow, 2> rows;

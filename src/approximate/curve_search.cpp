@@ -58,13 +58,13 @@ class Search {
     }
   }
 
-  std::vector<DyadPair> scanned_pairs() {
-    const std::vector<Point> places = pivot_places(effort_.places, limits_.ground);
-    std::vector<std::vector<DyadPair>> at(places.size());
+  std::vector<ScannedPair> scanned_pairs() {
+    const std::vector<Point> places = pivot_places(effort_.places, target_.points, limits_.ground);
+    std::vector<std::vector<ScannedPair>> at(places.size());
     for_all(places.size(), 0, 0.4, [&](std::size_t k) {
       at[k] = scan_pivot(target_, chosen_, chosen_weights_, places[k], limits_.max_length, options_.simd);
     });
-    std::vector<DyadPair> pairs;
+    std::vector<ScannedPair> pairs;
     for (const auto& here : at) pairs.insert(pairs.end(), here.begin(), here.end());
     return distinct_pairs(std::move(pairs), effort_.starts);
   }
@@ -99,7 +99,7 @@ class Search {
 
   // Near circles and straight lines least squares creep along flat valleys: the best get longer.
   void creep(std::vector<CurveStart>& starts) {
-    std::size_t far = 8, compact = 6;
+    std::size_t far = effort_.creeping, compact = effort_.creeping;
     std::vector<CurveStart> creeping, others;
     for (CurveStart& start : starts) {
       std::size_t& left = is_compact(start.linkage) ? compact : far;
@@ -108,7 +108,7 @@ class Search {
       start.converged = false;
       (goes_on ? creeping : others).push_back(std::move(start));
     }
-    improve_all(creeping, fine_, 4000, 0.95, 0.98);
+    improve_all(creeping, fine_, effort_.creeping_iterations, 0.95, 0.98);
     for (CurveStart& start : others) creeping.push_back(std::move(start));
     starts = std::move(creeping);
   }
@@ -141,11 +141,11 @@ class Search {
 SearchEffort search_effort(FitEffort effort) {
   switch (effort) {
     case FitEffort::quick:
-      return {350, 160, 20, 6};
+      return {350, 160, 20, 6, 5, 1500};
     case FitEffort::deep:
-      return {22400, 12800, 480, 160};
+      return {22400, 12800, 480, 160, 24, 10000};
     default:
-      return {1400, 800, 60, 20};
+      return {1400, 800, 60, 20, 7, 4000};
   }
 }
 

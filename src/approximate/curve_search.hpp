@@ -11,12 +11,16 @@ namespace linkwright {
 struct SearchEffort {
   std::size_t places, starts;  ///< of a fixed pivot; of the least squares
   std::size_t clean, any;      ///< of the starts with a driver, and without, that go on to the end
+  std::size_t creeping;  ///< of those that have long ground links, and of the others, that go on along flat valleys
+  int creeping_iterations;
 };
 [[nodiscard]] SearchEffort search_effort(FitEffort effort);
 
 /// The places of a fixed pivot that are scanned: on a spiral about the target whose turns leave no gaps, as seeds of a
-/// sunflower lie, densely near it and ever more sparsely to nine of its radii; within a box where there is one.
-[[nodiscard]] std::vector<Point> pivot_places(std::size_t count, const std::optional<Box>& within);
+/// sunflower lie, densely near it and ever more sparsely to nine of its radii, and turned with it; within a box where
+/// there is one.
+[[nodiscard]] std::vector<Point> pivot_places(std::size_t count, std::span<const Point> target,
+                                              const std::optional<Box>& within);
 
 struct CurveSearch {
   std::vector<CurveStart> minima;  ///< on all points, the least sum of squares first; distinct curves

@@ -32,21 +32,21 @@ class DyadList {
   }
 
   std::vector<DrivingDyad> all() {
-    add_free(ElbowPattern::none, {}, free_sums, free_differences);
+    add_free(SidePattern::none, {}, free_sums, free_differences);
     const Flips far = extremes(1), near = extremes(-1);
     const std::array<double, 1> told = {1};
     if (!closed_) {
-      add_free(ElbowPattern::far, {far[0]}, told, free_differences);
-      add_free(ElbowPattern::near, {near[0]}, free_sums, told);
+      add_free(SidePattern::far, {far[0]}, told, free_differences);
+      add_free(SidePattern::near, {near[0]}, free_sums, told);
     }
     for (const double beyond : beyond_extremes) {
       const std::array<double, 1> sum = {1 + beyond}, difference = {1 - beyond};
-      add_free(ElbowPattern::far_and_near, {far[0], near[0]}, sum, difference);
+      add_free(SidePattern::far_and_near, {far[0], near[0]}, sum, difference);
     }
-    if (far.size() > 1) add_free(ElbowPattern::twice_far, {far[0], far[1]}, told, free_differences);
-    if (near.size() > 1) add_free(ElbowPattern::twice_near, {near[0], near[1]}, free_sums, told);
+    if (far.size() > 1) add_free(SidePattern::twice_far, {far[0], far[1]}, told, free_differences);
+    if (near.size() > 1) add_free(SidePattern::twice_near, {near[0], near[1]}, free_sums, told);
     if (far.size() > 1 && near.size() > 1)
-      add_free(ElbowPattern::twice_both, {far[0], far[1], near[0], near[1]}, told, told);
+      add_free(SidePattern::twice_both, {far[0], far[1], near[0], near[1]}, told, told);
     return std::move(dyads_);
   }
 
@@ -69,7 +69,7 @@ class DyadList {
   }
 
   // Sides change before or after each of the points, which themselves are on either; and either side begins.
-  void add_free(ElbowPattern pattern, const Flips& flips, std::span<const double> sums,
+  void add_free(SidePattern pattern, const Flips& flips, std::span<const double> sums,
                 std::span<const double> differences) {
     const std::size_t ways = std::size_t{1} << flips.size();
     for (std::size_t way = 0; way < ways; ++way) {

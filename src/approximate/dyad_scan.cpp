@@ -46,12 +46,14 @@ std::optional<CouplerLinkage> dyad_of(Point pivot, double input, double arm, con
 // The best of a pattern.
 struct PatternBest {
   double value = infinite;  ///< least eigenvalue
-  std::optional<DyadPair> any, clean, compact;
+  std::optional<ScannedPair> any, clean, compact;
 
   // A pair that is scored; whether it has a driver takes as long, and is asked where it matters.
-  void offer(DyadPair& pair, const PairRating& rating) {
-    std::optional<DyadPair>& driven = is_compact(pair.linkage) ? compact : clean;
-    const auto better_than = [&pair](const std::optional<DyadPair>& best) { return !best || pair.score < best->score; };
+  void offer(ScannedPair& pair, const PairRating& rating) {
+    std::optional<ScannedPair>& driven = is_compact(pair.linkage) ? compact : clean;
+    const auto better_than = [&pair](const std::optional<ScannedPair>& best) {
+      return !best || pair.score < best->score;
+    };
     if (!better_than(any) && !better_than(driven)) return;
     pair.driver = rating.driver(pair.linkage);
     if (better_than(any)) any = pair;
@@ -70,7 +72,7 @@ class PivotScan {
         max_length_(max_length),
         rating_(chosen, weights, pivot, target.closed) {}
 
-  std::vector<DyadPair> best(Simd simd) {
+  std::vector<ScannedPair> best(Simd simd) {
     if (!fill_block()) return {};
     dyad_scan_kernel.for_simd(simd)(block_);
     for (std::size_t k = 0; k < dyads_.size(); ++k) {
@@ -118,7 +120,7 @@ class PivotScan {
     if (seconds.count == 0) return;
     rating_.drive(dyad.input, dyad.arm, dyad.right);
     for (std::size_t c = 0; c < seconds.count; ++c) {
-      DyadPair pair{seconds.linkages[c], dyad.right};
+      ScannedPair pair{seconds.linkages[c], dyad.right};
       rating_.score(pair);
       if (std::isfinite(pair.score) && is_built(pair.linkage)) best_of(k).offer(pair, rating_);
     }
@@ -130,8 +132,8 @@ class PivotScan {
     return lengths.longest() <= slack * max_length_ && lengths.shortest() >= shortest;
   }
 
-  [[nodiscard]] std::vector<DyadPair> listed() const {
-    std::vector<DyadPair> pairs;
+  [[nodiscard]] std::vector<ScannedPair> listed() const {
+    std::vector<ScannedPair> pairs;
     for (const PatternBest& of : best_) {
       if (of.clean) pairs.push_back(*of.clean);
       if (of.compact) pairs.push_back(*of.compact);
@@ -148,12 +150,12 @@ class PivotScan {
   PairRating rating_;
   std::vector<DrivingDyad> dyads_;
   DyadBlock block_{};
-  std::array<PatternBest, elbow_pattern_count> best_;
+  std::array<PatternBest, side_pattern_count> best_;
 };
 
 }  // namespace
 
-std::vector<LoopState> states_of(const DyadPair& pair, std::span<const Point> chosen) {
+std::vector<LoopState> states_of(const ScannedPair& pair, std::span<const Point> chosen) {
   const CouplerLinkage& linkage = pair.linkage;
   const double arm = std::abs(linkage.p);
   PairRating rating(chosen, {}, linkage.a0, false);
@@ -177,8 +179,8 @@ SecondDyads second_dyads(Point pivot, double input, double arm, const std::array
   return found;
 }
 
-std::vector<DyadPair> scan_pivot(const ScaledTarget& target, std::span<const Point> chosen,
-                                 std::span<const double> weights, Point pivot, double max_length, Simd simd) {
+std::vector<ScannedPair> scan_pivot(const ScaledTarget& target, std::span<const Point> chosen,
+                                    std::span<const double> weights, Point pivot, double max_length, Simd simd) {
   return PivotScan(target, chosen, weights, pivot, max_length).best(simd);
 }
 

@@ -11,14 +11,14 @@ namespace linkwright {
 
 /// How often the moving pivot of a driving dyad changes its side along the target: where the dyad is stretched out, at
 /// the points farthest from the fixed pivot, and where it is folded, at the nearest.
-enum class ElbowPattern : std::uint8_t { none, far, near, far_and_near, twice_far, twice_near, twice_both };
-inline constexpr std::size_t elbow_pattern_count = 7;
+enum class SidePattern : std::uint8_t { none, far, near, far_and_near, twice_far, twice_near, twice_both };
+inline constexpr std::size_t side_pattern_count = 7;
 
 /// A driving dyad and at which of the chosen points its moving pivot lies to the right of the direction to the point.
 struct DrivingDyad {
   double input = 0, arm = 0;
   std::uint32_t right = 0;  ///< a bit to each point
-  ElbowPattern pattern = ElbowPattern::none;
+  SidePattern pattern = SidePattern::none;
 };
 
 /// All that are tried at a fixed pivot: lengths read off the largest and the least distance of the target, where they
@@ -27,7 +27,7 @@ struct DrivingDyad {
                                                      Point pivot);
 
 /// A start of the least squares: a driving dyad and a second one.
-struct DyadPair {
+struct ScannedPair {
   CouplerLinkage linkage;
   std::uint32_t right = 0;
   double score = 0;  ///< root mean square distance across the curve, to first order
@@ -42,7 +42,7 @@ struct DyadPair {
 }
 
 /// The states of a pair at the points, its loop being closed as nearly as the second dyad fits.
-[[nodiscard]] std::vector<LoopState> states_of(const DyadPair& pair, std::span<const Point> chosen);
+[[nodiscard]] std::vector<LoopState> states_of(const ScannedPair& pair, std::span<const Point> chosen);
 
 /// The second dyads that fit the poses of a driving dyad best, up to four, from the two smallest eigenvectors of their
 /// linear equation: those of their combinations that are dyads.
@@ -54,8 +54,8 @@ struct SecondDyads {
                                        const std::array<std::array<double, 7>, 2>& vectors);
 
 /// The best pairs at a fixed pivot: to each pattern the best one, and the best one that has a driver.
-[[nodiscard]] std::vector<DyadPair> scan_pivot(const ScaledTarget& target, std::span<const Point> chosen,
-                                               std::span<const double> weights, Point pivot, double max_length,
-                                               Simd simd);
+[[nodiscard]] std::vector<ScannedPair> scan_pivot(const ScaledTarget& target, std::span<const Point> chosen,
+                                                  std::span<const double> weights, Point pivot, double max_length,
+                                                  Simd simd);
 
 }  // namespace linkwright

@@ -16,7 +16,7 @@ constexpr double slack = 1e-6;  // share of a limit that rounding and hinges lea
 struct Realisation {
   CouplerLinkage linkage;
   std::vector<LoopState> states;
-  Driver input, output;
+  CurveDriver input, output;
 
   [[nodiscard]] Realisation swapped() const {
     Realisation other{linkwright::swapped(linkage), {}, output, input};
@@ -25,7 +25,7 @@ struct Realisation {
   }
   // Its input turns as the coupler does, its output as this one's.
   [[nodiscard]] Realisation cognate() const {
-    const auto coupler = static_cast<Driver>(3 - static_cast<int>(input) - static_cast<int>(output));
+    const auto coupler = static_cast<CurveDriver>(3 - static_cast<int>(input) - static_cast<int>(output));
     Realisation other{linkwright::cognate(linkage), {}, coupler, output};
     for (const LoopState& at : states) other.states.push_back(linkwright::cognate(linkage, at));
     return other;
@@ -35,7 +35,7 @@ struct Realisation {
 // Those on the first pivot, then those between the others; two to a four-bar, one after the other.
 std::vector<Realisation> realisations_of(const CouplerLinkage& linkage, std::span<const LoopState> states) {
   constexpr double no_arm = 1e-9;
-  const Realisation first{linkage, {states.begin(), states.end()}, Driver::e, Driver::g};
+  const Realisation first{linkage, {states.begin(), states.end()}, CurveDriver::e, CurveDriver::g};
   const Realisation second = first.swapped();
   std::vector<Realisation> all = {first, second};
   const double size = linkage.lengths().longest();
@@ -76,7 +76,7 @@ bool keeps(const FitLimits& limits, const PivotWindows& windows, const Realisati
          moving_pivots_within(windows.moving, placed(of.linkage, of.states.front()).bars);
 }
 
-CurveDrive verdict(const CircuitDrive& drive, Driver input, Driver output) {
+CurveDrive verdict(const CircuitDrive& drive, CurveDriver input, CurveDriver output) {
   return {drive.one_circuit, drive.in_order, drive.of(input).no_dead_point, drive.of(output).no_dead_point,
           drive.of(input).full_turn};
 }

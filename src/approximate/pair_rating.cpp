@@ -25,7 +25,7 @@ void PairRating::drive(double input, double arm, std::uint32_t right) {
   }
 }
 
-void PairRating::score(DyadPair& pair) {
+void PairRating::score(ScannedPair& pair) {
   CouplerLinkage& linkage = pair.linkage;
   const Point turn = std::conj(linkage.p) / std::sqrt(std::norm(linkage.p)), frame = linkage.a0 - linkage.b0;
   double square = 0, weights = 0;
@@ -63,8 +63,8 @@ char PairRating::driver(const CouplerLinkage& linkage) const {
 }
 
 // Turns one way, but for what an error of the points may turn it back, and the two others never are in line.
-template <class Driver, class One, class Other>
-bool PairRating::drives(const Driver& driver, const One& one, const Other& other) const {
+template <class Driving, class One, class Other>
+bool PairRating::drives(const Driving& driver, const One& one, const Other& other) const {
   constexpr double slack = 0.05;  // radians
   double turned[2] = {0, 0};
   const bool side = cross(one(0), other(0)) > 0;

@@ -24,7 +24,7 @@ class PairRating {
   [[nodiscard]] const LoopState& driven(std::size_t j) const { return driven_[j]; }
 
   /// Length of the output and score of a pair whose other numbers are known.
-  void score(DyadPair& pair);
+  void score(ScannedPair& pair);
   /// Of the pair that was scored last.
   [[nodiscard]] char driver(const CouplerLinkage& linkage) const;
 
@@ -32,8 +32,8 @@ class PairRating {
   using States = std::array<LoopState, DyadBlock::most_points>;
 
   [[nodiscard]] double square_across(const CouplerLinkage& linkage) const;
-  template <class Driver, class One, class Other>
-  [[nodiscard]] bool drives(const Driver& driver, const One& one, const Other& other) const;
+  template <class Driving, class One, class Other>
+  [[nodiscard]] bool drives(const Driving& driver, const One& one, const Other& other) const;
 
   std::size_t count_;
   std::span<const double> weights_;

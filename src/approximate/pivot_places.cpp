@@ -16,9 +16,23 @@ double spiral_radius(std::size_t k, std::size_t count) {
   return near * std::pow(far / near, (share - near_share) / (1 - near_share));
 }
 
+// The direction in which the target is longest, towards its heavier end: so a turned target has its places turned.
+Point long_direction(std::span<const Point> target) {
+  Point squares{}, cubes{};
+  for (const Point p : target) {
+    squares += product(p, p);
+    cubes += std::norm(p) * p;
+  }
+  const double size = std::sqrt(std::norm(squares));
+  if (!(size > 0)) return {1, 0};
+  const Point half = direction(0.5 * std::arg(squares));
+  return dot(half, cubes) < 0 ? -half : half;
+}
+
 }  // namespace
 
-std::vector<Point> pivot_places(std::size_t count, const std::optional<Box>& within) {
+std::vector<Point> pivot_places(std::size_t count, std::span<const Point> target, const std::optional<Box>& within) {
+  const Point first = long_direction(target);
   constexpr double golden_angle = 2.399963229728653;
   constexpr double plastic[2] = {0.7548776662466927, 0.5698402909980532};  // powers of the plastic number's inverse
   std::vector<Point> places(count);
@@ -28,7 +42,7 @@ std::vector<Point> pivot_places(std::size_t count, const std::optional<Box>& wit
       places[k] = {within->x_low + (within->x_high - within->x_low) * fraction(0.5 + index * plastic[0]),
                    within->y_low + (within->y_high - within->y_low) * fraction(0.5 + index * plastic[1])};
     else
-      places[k] = spiral_radius(k, count) * direction(golden_angle * index);
+      places[k] = spiral_radius(k, count) * product(first, direction(golden_angle * index));
   }
   return places;
 }

@@ -20,16 +20,16 @@ bool same_start(const CouplerLinkage& a, const CouplerLinkage& b) {
 }
 
 // The best that are not the same start, up to `count`; pairs by ascending score.
-void append_distinct(const std::vector<DyadPair>& pairs, bool clean, bool compact, std::size_t count,
-                     std::vector<DyadPair>& chosen) {
-  std::vector<const DyadPair*> taken;
-  for (const DyadPair& pair : pairs) {
+void append_distinct(const std::vector<ScannedPair>& pairs, bool clean, bool compact, std::size_t count,
+                     std::vector<ScannedPair>& chosen) {
+  std::vector<const ScannedPair*> taken;
+  for (const ScannedPair& pair : pairs) {
     if (taken.size() == count) break;
     if ((pair.driver != 0) != clean || (clean && is_compact(pair.linkage) != compact)) continue;
-    const auto same = [&](const DyadPair* other) { return same_start(pair.linkage, other->linkage); };
+    const auto same = [&](const ScannedPair* other) { return same_start(pair.linkage, other->linkage); };
     if (std::none_of(taken.begin(), taken.end(), same)) taken.push_back(&pair);
   }
-  for (const DyadPair* pair : taken) chosen.push_back(*pair);
+  for (const ScannedPair* pair : taken) chosen.push_back(*pair);
 }
 
 void turn_to_cognate(CurveStart& start) {
@@ -56,18 +56,18 @@ int branch_of(const CurveStart& start) {
 
 }  // namespace
 
-std::vector<DyadPair> distinct_pairs(std::vector<DyadPair> pairs, std::size_t count) {
+std::vector<ScannedPair> distinct_pairs(std::vector<ScannedPair> pairs, std::size_t count) {
   std::stable_sort(pairs.begin(), pairs.end(), [](const auto& a, const auto& b) { return a.score < b.score; });
-  std::vector<DyadPair> distinct;
+  std::vector<ScannedPair> distinct;
   append_distinct(pairs, true, true, count / 4, distinct);
   append_distinct(pairs, true, false, count * 3 / 4 - distinct.size(), distinct);
   append_distinct(pairs, false, false, count - distinct.size(), distinct);
   return distinct;
 }
 
-std::vector<CurveStart> starts_of(const std::vector<DyadPair>& pairs, std::span<const Point> chosen) {
+std::vector<CurveStart> starts_of(const std::vector<ScannedPair>& pairs, std::span<const Point> chosen) {
   std::vector<CurveStart> starts;
-  for (const DyadPair& pair : pairs) {
+  for (const ScannedPair& pair : pairs) {
     CurveStart start{pair.linkage, states_of(pair, chosen)};
     bool closes = true;
     for (LoopState& state : start.states) closes = closes && close_loop(start.linkage, state);

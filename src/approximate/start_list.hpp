@@ -10,11 +10,11 @@ namespace linkwright {
 
 /// The best pairs that lead to different places, up to `count`: a quarter compact ones with a driver, half others with
 /// a driver, the rest without. Where one kind runs out the next takes its places.
-[[nodiscard]] std::vector<DyadPair> distinct_pairs(std::vector<DyadPair> pairs, std::size_t count);
+[[nodiscard]] std::vector<ScannedPair> distinct_pairs(std::vector<ScannedPair> pairs, std::size_t count);
 
 /// Pairs with their loops closed, turned to the realisation whose input is the driver; those that do not close are left
 /// out.
-[[nodiscard]] std::vector<CurveStart> starts_of(const std::vector<DyadPair>& pairs, std::span<const Point> chosen);
+[[nodiscard]] std::vector<CurveStart> starts_of(const std::vector<ScannedPair>& pairs, std::span<const Point> chosen);
 
 /// Two of the curve's linkages have an input that turns as this one's does: the one that is farther within the limits.
 void turn_within_limits(const FitLimits& limits, CurveStart& start);

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <cmath>
 #include <optional>
 #include <vector>
 
@@ -33,8 +34,12 @@ struct StrengthLines {
   std::vector<double> weakest, rise;
 
   /// Through the force under a share of the range; friction of pins is taken to be what it is there.
+  /// What rises by rounding alone does not: of springs that do nothing the weakest is the best.
   void add(double force, double share, const SmoothForce& smooth) {
-    rise.push_back(smooth.strongest - smooth.weakest);
+    constexpr double rounding = 1e-10;
+    const double by = smooth.strongest - smooth.weakest;
+    const bool is_level = std::abs(by) <= rounding * (1 + std::abs(smooth.weakest));
+    rise.push_back(is_level ? 0 : by);
     weakest.push_back(force - share * rise.back());
   }
 };

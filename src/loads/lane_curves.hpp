@@ -57,7 +57,7 @@ struct LookedAt {
   LINKWRIGHT_INLINE static LookedAt stations(const LoadRow& row) { return {row.stations, 1, row.steps}; }
   LINKWRIGHT_INLINE static LookedAt positions(const LoadRow& row) {
     const int count = row.tables->positions;
-    return {count, (row.stations - 1) / (count - 1), row.position_steps};
+    return {count, count > 1 ? (row.stations - 1) / (count - 1) : 1, row.position_steps};
   }
 };
 

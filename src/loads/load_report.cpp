@@ -262,7 +262,8 @@ class CaseStudy {
     constexpr double step = 2e-3;
     const double coarse = slope(step), fine = slope(step / 2), finest = slope(step / 4);
     const double once = (4 * fine - coarse) / 3, twice = (4 * finest - fine) / 3;
-    return (16 * twice - once) / 15 * metres_of(loads_);
+    const double found = (16 * twice - once) / 15 * metres_of(loads_);
+    return std::isfinite(found) ? found : 0;
   }
 
   void read_pins(CaseReport& report) const {

@@ -38,7 +38,8 @@ class FourBarCells {
   [[nodiscard]] Point origin(std::size_t position) const { return origins_[position]; }
   /// e^{i turn} of the body from position 1; of motions.
   [[nodiscard]] Point turn(std::size_t position) const { return input_moves_.front()[position].turn; }
-  /// Links of rows and columns depend on their own coordinate alone, as those of motions do.
+  /// Links of rows and columns depend on their own coordinate alone: otherwise there are those of at() alone.
+  [[nodiscard]] bool has_rows_and_columns() const { return !rows_.empty() && !columns_.empty(); }
   [[nodiscard]] const LinkPositions& input_link(std::size_t row) const { return rows_[row]; }
   [[nodiscard]] const LinkPositions& output_link(std::size_t column) const { return columns_[column]; }
   /// Input and output link; not whole where there is none.

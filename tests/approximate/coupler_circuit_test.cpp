@@ -52,12 +52,12 @@ TEST(CouplerCircuit, IsTheCycleOfTheMotion) {
     EXPECT_TRUE(drive.one_circuit) << k;
     EXPECT_TRUE(drive.in_order) << k;
     const LinkageType type = linkage_type(m.bars.lengths());
-    EXPECT_EQ(drive.of(Driver::e).no_dead_point, input_is_crank(type)) << k;
-    EXPECT_EQ(drive.of(Driver::e).full_turn, input_is_crank(type)) << k;
-    EXPECT_EQ(drive.of(Driver::g).full_turn, input_is_crank(swapped(type))) << k;
+    EXPECT_EQ(drive.of(CurveDriver::e).no_dead_point, input_is_crank(type)) << k;
+    EXPECT_EQ(drive.of(CurveDriver::e).full_turn, input_is_crank(type)) << k;
+    EXPECT_EQ(drive.of(CurveDriver::g).full_turn, input_is_crank(swapped(type))) << k;
     if (!input_is_crank(type)) continue;
-    EXPECT_NEAR(std::asin(drive.of(Driver::e).min_sine), analyze(m.bars, m.points[0]).min_transmission_angle_full_turn,
-                0.02);
+    EXPECT_NEAR(std::asin(drive.of(CurveDriver::e).min_sine),
+                analyze(m.bars, m.points[0]).min_transmission_angle_full_turn, 0.02);
   }
 }
 
@@ -110,7 +110,7 @@ TEST(CouplerCircuit, AgreesWithTheDriveThroughPoses) {
     const DriveThroughReport report = drive_through(first, poses);
     if (!report.completed) continue;
     const CircuitDrive drive = drive_along_circuit(m.linkage, states, points, false, 0);
-    const bool can = drive.in_order && drive.of(Driver::e).no_dead_point;
+    const bool can = drive.in_order && drive.of(CurveDriver::e).no_dead_point;
     EXPECT_EQ(can, report.defects.none()) << k;
     ++(can ? with : without);
   }

@@ -49,6 +49,23 @@ class LoadsTest(FaceTest):
             self.assertLessEqual(worst["max_close_force"]["value"], 150)
             self.assertGreaterEqual(worst["hold_open"]["value"], 3)
 
+    def test_a_strength_left_free_is_that_of_all_cases(self):
+        loads = load(ROOT / "examples/tailgate_struts.json")["loads"]
+        loads["springs"][0]["best_F1"] = {"max_F1": 900, "min_hold_open": 3}
+        problem = load(ROOT / "examples/tailgate_struts.json") | {"loads": loads, "options": {"region_samples": 60}}
+        result = self.folder / "free_result.json"
+        self.assertEqual(run("solve", self.write("free.json", json.dumps(problem)), "-o", result)[0], 0)
+        told = json.loads(result.read_text())["linkages"][0]["loads"]
+        self.assertGreaterEqual(told["worst"]["hold_open"]["value"], 3)
+        words = f"F1 that is left free: {told['best_F1']:.4g} N"
+        self.assertIn(words, run("loads", result)[1])
+        report = self.folder / "cold.json"
+        self.assertEqual(run("loads", result, "--case", "cold", "-o", report)[0], 0)
+        cold = json.loads(report.read_text())
+        self.assertAlmostEqual(cold["loads"]["springs"][0]["F1"], told["best_F1"], places=6)
+        own = next(case for case in told["cases"] if case["name"] == "cold")
+        self.assertAlmostEqual(cold["report"]["cases"][0]["max_close_force"], own["max_close_force"], places=6)
+
     def test_files_are_what_their_names_say(self):
         result = self.solved("cylinder_bucket", region_samples=80)
         report, picture = self.folder / "report.json", self.folder / "picture.svg"

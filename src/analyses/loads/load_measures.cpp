@@ -52,7 +52,8 @@ class FamilyLoads : public CellMeasures {
   [[nodiscard]] Rows rows_of(const RegionMap& map, std::span<const Measure> measures) const override {
     std::vector<ReadOut> read_outs;
     for (const Measure& measure : measures) read_outs.push_back(*read_out_of(measure));
-    if (auto links = family_.four_bar_cells(map); links && fits_lanes(loads_, links->positions()))
+    auto links = family_.four_bar_cells(map);
+    if (links && links->has_rows_and_columns() && fits_lanes(loads_, links->positions()))
       if (const auto body = body_of(map)) return four_bar_loads(std::move(links), map, loads_, read_outs, *body);
     return [this, &map, read_outs, output_of = family_.outputs_of(map)](std::size_t row, auto values) {
       for (std::size_t column = 0; column < map.columns(); ++column) {

@@ -97,13 +97,26 @@ LoadStudy load_study(const Problem& problem, const Answer& answer, std::size_t p
   return study;
 }
 
+/// Gives the spring that leaves its strength free that of the linkage in all cases, before one of them is left.
+static std::vector<Error> settle_strength(Problem& problem, int layer) {
+  const auto solved = solved_place(problem, layer);
+  if (!solved) return solved.errors();
+  const auto output = listed_outputs(solved->answer, 0)[solved->place];
+  if (const auto* planar = output ? std::get_if<PlanarOutput>(&*output) : nullptr)
+    problem.options.loads = loads_as_used(*problem.options.loads, planar->positions.front().bars, poses_of(*planar));
+  return {};
+}
+
 Result<LoadStudy> listed_loads(std::string_view text, int linkage, const LoadChanges& changes) {
   auto listed = read_listed_problem(text, linkage);
   if (!listed) return listed.errors();
   auto& loads = listed->problem.options.loads;
   if (!loads) return no_loads();
-  if (changes.only_case)
+  if (changes.only_case) {
+    if (free_spring(*loads))
+      if (auto mistakes = settle_strength(listed->problem, listed->layer); !mistakes.empty()) return mistakes;
     if (auto mistake = keep_case(*loads, *changes.only_case)) return *std::move(mistake);
+  }
   auto solved = solved_place(std::move(listed->problem), listed->layer);
   if (!solved) return solved.errors();
   const auto& [problem, answer, place] = *solved;
