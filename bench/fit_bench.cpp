@@ -13,7 +13,8 @@ namespace {
 CurveTarget target_named(const std::string& name) {
   const auto json = nlohmann::json::parse(std::ifstream(LINKWRIGHT_DATA_DIR "/approximate/" + name + ".json"));
   CurveTarget target;
-  for (const auto& point : json.at("points")) target.points.emplace_back(point[0].get<double>(), point[1].get<double>());
+  for (const auto& point : json.at("points"))
+    target.points.emplace_back(point[0].get<double>(), point[1].get<double>());
   target.closed = json.at("closed");
   return target;
 }

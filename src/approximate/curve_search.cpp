@@ -72,7 +72,9 @@ class Search {
   // A linkage with defects is held to lengths and windows alone.
   FitTask task_of(const FitTask& task, const CurveStart& start) const {
     FitTask own = task;
-    if (start.branch == 0) own.limits.grashof_margin = -FitLimits::unlimited;
+    if (start.branch != 0) return own;
+    own.limits.grashof_margin = -FitLimits::unlimited;
+    own.limits.min_turn_sine = 0;
     return own;
   }
 

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <array>
+#include <cmath>
 
 #include "approximate/loop_slide.hpp"
 
@@ -61,6 +62,28 @@ void append_length_hinges(const FitLimits& limits, const std::array<FitRow, 4>& 
   }
 }
 
+// cos of the closing angle + row·dx, where the far ends are `apart`; `by_ground`, `by_input`: how that depends on them.
+FitRow closing_row(const std::array<FitRow, 4>& lengths, double apart, double by_ground, double by_input) {
+  const double h = lengths[coupler].residual, b = lengths[output].residual;
+  const double cosine = (h * h + b * b - apart * apart) / (2 * h * b), by_apart = -apart / (h * b);
+  FitRow row = weighted_sum(
+      lengths, std::array<double, 4>{by_apart * by_ground, by_apart * by_input, 1 / b - cosine / h, 1 / h - cosine / b},
+      0);
+  row.residual = cosine;
+  return row;
+}
+
+// Where the input lies along the ground link, either way, the transmission angle is the least.
+void append_turn_hinges(double min_sine, const std::array<FitRow, 4>& lengths, std::vector<FitRow>& rows) {
+  const double most = std::sqrt(1 - min_sine * min_sine), g = lengths[ground].residual, a = lengths[input].residual;
+  const double sign = g < a ? -1 : 1;
+  const std::array<double, 1> as_it_is = {1}, turned_round = {-1};
+  for (const FitRow& row : {closing_row(lengths, std::abs(g - a), sign, -sign), closing_row(lengths, g + a, 1, 1)}) {
+    append_if_broken(weighted_sum({&row, 1}, as_it_is, -most), branch_weight, rows);
+    append_if_broken(weighted_sum({&row, 1}, turned_round, -most), branch_weight, rows);
+  }
+}
+
 void append_pivot_hinges(const Box& box, const CouplerLinkage& linkage, std::vector<FitRow>& rows) {
   const std::array<double, 4> place = {linkage.a0.real(), linkage.a0.imag(), linkage.b0.real(), linkage.b0.imag()};
   const std::array<double, 4> low = {box.x_low, box.y_low, box.x_low, box.y_low};
@@ -90,6 +113,7 @@ void append_linkage_hinges(const FitLimits& limits, const CouplerLinkage& linkag
     factors[longest] += 2;
     append_if_broken(weighted_sum(lengths, factors, limits.grashof_margin), grashof_weight, rows);
   }
+  if (limits.min_turn_sine > 0) append_turn_hinges(limits.min_turn_sine, lengths, rows);
   if (limits.ground) append_pivot_hinges(*limits.ground, linkage, rows);
 }
 

@@ -8,14 +8,15 @@ namespace {
 
 // By how much each limit is broken, > 0 where it is; lengths, and a sine.
 struct Excess {
-  double longest, shortest, ratio, margin, sine = 0;
+  double longest, shortest, ratio, margin, turn, sine = 0;
 };
 
 Excess excess_of(const FitLimits& limits, const CurveStart& start) {
   const LinkLengths lengths = start.linkage.lengths();
   Excess excess{lengths.longest() - limits.max_length, limits.min_length - lengths.shortest(),
                 lengths.longest() / lengths.shortest() - limits.max_link_ratio,
-                limits.grashof_margin - grashof_excess(lengths)};
+                limits.grashof_margin - grashof_excess(lengths),
+                limits.min_turn_sine > 0 ? limits.min_turn_sine - least_turn_sine(lengths) : 0};
   if (start.branch == 0) return excess;
   excess.sine = -1;
   for (const LoopState& state : start.states) {
@@ -35,6 +36,9 @@ FitLimits stricter(FitLimits limits, const Excess& excess) {
   limits.min_length += std::max(excess.shortest, 0.0);
   limits.max_link_ratio -= std::max(excess.ratio, 0.0);
   limits.grashof_margin += std::max(excess.margin, 0.0);
+  constexpr double most = 0.999;
+  limits.min_turn_sine =
+      std::min(limits.min_turn_sine + std::max(excess.turn, 0.0), std::max(limits.min_turn_sine, most));
   limits.min_sine += std::max(excess.sine, 0.0);
   return limits;
 }
@@ -66,9 +70,9 @@ double broken_share(const FitLimits& limits, const CurveStart& start) {
   const Excess excess = excess_of(limits, start);
   const double length = std::max(excess.longest / limits.max_length, 0.0);
   const double pivots = std::max(outside(limits.ground, start.linkage.a0), outside(limits.ground, start.linkage.b0));
-  return std::max({length, limits.min_length > 0 ? excess.shortest / limits.min_length : 0,
-                   excess.ratio / limits.max_link_ratio,
-                   excess.margin / std::max(std::abs(limits.grashof_margin), 1e-12), excess.sine, pivots, 0.0});
+  return std::max(
+      {length, limits.min_length > 0 ? excess.shortest / limits.min_length : 0, excess.ratio / limits.max_link_ratio,
+       excess.margin / std::max(std::abs(limits.grashof_margin), 1e-12), excess.sine, excess.turn, pivots, 0.0});
 }
 
 void refit_within_limits(const FitTask& task, CurveStart& start) {

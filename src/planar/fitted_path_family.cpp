@@ -222,7 +222,7 @@ namespace {
 
 CurveFitOptions fit_options(const NearestTarget& near, const Requirements& requirements, const FitWishes& wishes,
                             const RegionOptions& options) {
-  constexpr double inside = 1e-7;  // what keeps a limit by the fit keeps it by the figures told
+  constexpr double inside = 3e-6;  // what keeps a limit by the fit keeps it by the figures told
   CurveFitOptions fit;
   const double diagonal = near.target.diagonal();
   fit.effort = wishes.effort;
