@@ -277,7 +277,7 @@ std::optional<Notice> about_straying(const FittedPathFamily& family, const Neare
 
 std::optional<Notice> about_exact(const NearestTarget& near) {
   constexpr std::size_t most_exact = 9;
-  const std::size_t count = near.target.points.size();
+  const std::size_t count = near.point_count();
   if (count > most_exact) return std::nullopt;
   return Notice{"exactly_solvable",
                 fmt::format("Through {} points some four-bars pass exactly{}; those listed are some that come as near "
@@ -332,7 +332,7 @@ TaskFamily family_of_nearest(const PathTask& task, const Requirements& requireme
                              const RegionOptions& options, const Progress& progress) {
   NearestTarget near = nearest_target(task);
   TaskFamily given;
-  given.pattern = fmt::format("{} points", near.target.points.size());
+  given.pattern = fmt::format("{} points", near.point_count());
   given.conditions.frame = {near.target.points.front(), near.target.diagonal()};
   given.size = given.frame().scale;
   given.warnings = near.warnings;

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <algorithm>
 #include <vector>
 
 #include "linkwright/approximate/curve_fit.hpp"
@@ -19,6 +20,11 @@ struct NearestTarget {
   std::vector<std::size_t> point;  ///< index in the task, rising; `between`: a middle of a side of the polygon
   std::vector<double> tolerance;   ///< infinite where none is given
   std::vector<Notice> warnings;    ///< points that were left out: equal neighbours, a closed path's first at its end
+
+  /// Of the task, those left out not counted.
+  [[nodiscard]] std::size_t point_count() const {
+    return point.size() - static_cast<std::size_t>(std::count(point.begin(), point.end(), between));
+  }
 };
 /// Of a task without mistakes. A tolerance t weighs 1/t², beside weights that are given.
 [[nodiscard]] NearestTarget nearest_target(const PathTask& task);

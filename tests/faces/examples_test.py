@@ -30,7 +30,7 @@ PATTERNS = {"tailgate": "P-P-P-P", "tailgate_struts": "P-P-P-P", "counterbalance
             "bean_stirrer": "16 points", "walking_foot": "19 points", "film_advance": "15 points", "letter_loop": "22 points",
             "transfer_arch": "15 points"}
 NEAR = {name for name, pattern in PATTERNS.items() if pattern.endswith("points")}  # searched for: not all that there are
-TOLD_OF_NEAR = {"path_fitted", "nearer_with_defects", "path_tolerance_missed", "path_strays"}
+TOLD_OF_NEAR = {"path_fitted", "nearer_with_defects", "path_tolerance_missed", "path_strays", "more_than_best"}
 
 # What the function generators are to generate.
 WANTED = {"sine_generator": lambda x: math.sin(math.radians(x)), "log_generator": math.log10, "flow_meter": math.sqrt,
