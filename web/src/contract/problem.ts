@@ -343,7 +343,7 @@ export interface PathGroundPivots {
 export interface PathGiven {
   ground_pivots: PathGroundPivots;
 }
-/** Path generation: a point of the coupler passes places in this order: four or five at given angles of the crank; three with angles of crank or coupler and two without, or four and one; or from given ground pivots, or from one that is searched for in options.box. A point counts as one position, and as one more for each of its derivatives. */
+/** Path generation: a point of the coupler passes places in this order: four or five at given angles of the crank; three with angles of crank or coupler and two without, or four and one; or from given ground pivots, or from one that is searched for in options.box. A point counts as one position, and as one more for each of its derivatives. Or it passes as near as it can to three to 1000 points: where one of closed, tolerance and weight is given, or more than five points and nothing else. */
 export interface PathTask {
   kind: "path";
   mechanism: "four_bar";

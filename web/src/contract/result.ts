@@ -245,6 +245,47 @@ export interface TimedCognate {
   /** Its crank over this one. */
   size_ratio: number;
 }
+/** Of the points from the path, user's unit. */
+export interface PathError {
+  /** Weighted. */
+  sum_of_squares: number;
+  /** Root of the weighted mean of the squares. */
+  rms: number;
+  max: number;
+  /** At which point, from 1. */
+  max_at: number;
+  rms_over_diagonal: number;
+  /** Largest distance of the path between the points from the polygon through them. */
+  excursion: number;
+  /** Length of the path over that of the polygon. */
+  path_length_ratio: number;
+}
+export interface NearestToPoint {
+  /** From 1. */
+  point: number;
+  /** Turn of the input from position 1. */
+  input_deg: number;
+  /** Of the path, fixed frame. */
+  place: readonly [number, number] | null;
+  distance: number;
+}
+export interface Realisation {
+  input: CognateLink;
+  output: CognateLink;
+}
+export interface PathFit {
+  error: PathError;
+  /** At all points that have one. */
+  within_tolerance: boolean;
+  /** Points that are farther off than their tolerance, from 1. */
+  outside: readonly number[];
+  /** Its longest link is as long as is allowed: longer ones may come nearer. */
+  at_length_limit: boolean;
+  /** Where the linkage is nearest to each point. */
+  at: readonly NearestToPoint[];
+  /** The four-bars that trace the same path (Roberts' theorem), this one first; fixed frame, position 1, the point the same in each. */
+  realisations: readonly Realisation[];
+}
 export const requirement_keys = ["types","no_defects","min_transmission_angle_deg","max_link_ratio","max_length","min_length","ground_pivots_within","moving_pivots_within","min_link_angle_deg","max_link_angle_deg","fixed_axes_within","moving_axes_within","min_stroke","max_deviation","full_turn","max_tolerance_error","min_yield","max_open_force","max_close_force","min_hold_open","max_pin_force","max_torque"] as const;
 export type RequirementKey = (typeof requirement_keys)[number];
 export interface Sensitivity {
@@ -383,42 +424,6 @@ export interface Swapped {
   defects: Defects;
   /** Over the task; null with a defect. */
   min_transmission_angle_deg: number | null;
-}
-/** Of the points from the path, user's unit. */
-export interface PathError {
-  /** Weighted. */
-  sum_of_squares: number;
-  /** Root of the weighted mean of the squares. */
-  rms: number;
-  max: number;
-  /** At which point, from 1. */
-  max_at: number;
-  rms_over_diagonal: number;
-  /** Largest distance of the path between the points from the polygon through them. */
-  excursion: number;
-  /** Length of the path over that of the polygon. */
-  path_length_ratio: number;
-}
-export interface NearestToPoint {
-  /** From 1. */
-  point: number;
-  /** Turn of the input from position 1. */
-  input_deg: number;
-  /** Of the path, fixed frame. */
-  place: readonly [number, number];
-  distance: number;
-}
-export interface PathFit {
-  error: PathError;
-  /** At all points that have one. */
-  within_tolerance: boolean;
-  /** Points that are farther off than their tolerance, from 1. */
-  outside: readonly number[];
-  /** Its longest link is as long as is allowed: longer ones may come nearer. */
-  at_length_limit: boolean;
-  /** Where the linkage is nearest to each point. */
-  at: readonly NearestToPoint[];
-  realisations: readonly object[];
 }
 export interface FourBar {
   mechanism: "four_bar";

@@ -94,7 +94,7 @@ const checks = {
   defect_kinds: flag,
   only_meeting: flag,
   ridges: flag,
-  colour_by: (value: unknown) => typeof value === "string" && /^[a-z_]{1,60}$/.test(value), // kinds of tasks know which there are,
+  colour_by: (value: unknown) => typeof value === "string" && /^\w{1,60}$/.test(value), // kinds of tasks know which there are,
   speed: one_of(...speeds),
   repeat: one_of("reverse", "loop", "once"),
   left_width: width,

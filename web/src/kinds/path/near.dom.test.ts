@@ -51,7 +51,7 @@ test("where the path is nearest lies as far from each point as is told", () => {
   expect(fit().at).toHaveLength(16);
   for (const {point, place, distance} of fit().at) {
     const {x, y} = task().points[point - 1]!;
-    expect(Math.hypot(place[0] - x, place[1] - y)).toBeCloseTo(distance, 9);
+    expect(Math.hypot(place![0] - x, place![1] - y)).toBeCloseTo(distance, 9);
   }
   const worst = Math.max(...fit().at.map(({distance}) => distance));
   expect(fit().error.max).toBeCloseTo(worst, 9);
