@@ -136,6 +136,15 @@ double distance_to_segment(Point p, Point from, Point to) {
   return std::abs(p - from - share * along);
 }
 
+// Of the way, what it goes to and fro by noise once; closed: all round.
+double path_length(const CouplerCircuit& circuit, const Way& way, bool closed) {
+  const double whole = circuit.path().back(), round = static_cast<double>(circuit.states().size() - 1);
+  if (closed) return whole;
+  const double base = std::floor(way.low / round) * round, high = way.high - base;
+  const double over = std::max(high - round, 0.0);
+  return circuit.path_at(std::min(high, round)) - circuit.path_at(way.low - base) + circuit.path_at(over);
+}
+
 // How the path between the targets compares with the polygon: each stretch with its own side and those beside it.
 void compare_paths(const CouplerCircuit& circuit, const Way& way, std::span<const Point> targets, bool closed,
                    CircuitDrive& drive) {
@@ -146,7 +155,7 @@ void compare_paths(const CouplerCircuit& circuit, const Way& way, std::span<cons
     return distance_to_segment(p, targets[static_cast<std::size_t>(at)],
                                targets[static_cast<std::size_t>((at + 1) % n)]);
   };
-  double polygon = 0, path = 0;
+  double polygon = 0;
   for (long j = 0; j < sides; ++j) {
     const auto k = static_cast<std::size_t>(j);
     polygon += std::abs(targets[static_cast<std::size_t>((j + 1) % n)] - targets[k]);
@@ -157,12 +166,8 @@ void compare_paths(const CouplerCircuit& circuit, const Way& way, std::span<cons
       const double off = std::min({side_distance(j - 1, p), side_distance(j, p), side_distance(j + 1, p)});
       drive.excursion = std::max(drive.excursion, off);
     }
-    const double rounds = std::floor(low / static_cast<double>(round)), base = rounds * static_cast<double>(round);
-    const double over = std::max(high - base - static_cast<double>(round), 0.0);
-    path += circuit.path_at(std::min(high - base, static_cast<double>(round))) - circuit.path_at(low - base) +
-            circuit.path_at(over);
   }
-  drive.path_length_ratio = polygon > 0 ? path / polygon : 0;
+  drive.path_length_ratio = polygon > 0 ? path_length(circuit, way, closed) / polygon : 0;
 }
 
 }  // namespace
