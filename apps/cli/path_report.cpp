@@ -55,7 +55,9 @@ std::string fit_table(const Problem& problem, const PathAnswer& answer) {
                                     length(error.excursion),
                                     found.path->full_turn ? "yes" : "no"};
     if (has_tolerance)
-      row.push_back(found.fit->outside.empty() ? "yes" : fmt::format("{} points not", found.fit->outside.size()));
+      row.push_back(found.fit->outside.empty() ? "yes"
+                                               : fmt::format("{} point{} not", found.fit->outside.size(),
+                                                             found.fit->outside.size() == 1 ? "" : "s"));
     table.add_row(row);
   }
   return "\n" +

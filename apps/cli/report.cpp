@@ -152,14 +152,16 @@ std::string pivot_table(const FourBarAnswer& answer, int decimals) {
   return fmt::format("Pivots (x, y), moving pivots as they lie {}:\n", first_pose(answer)) + table.text();
 }
 
-std::string score_words(Objective objective, const FourBarSolution& found, int decimals) {
-  switch (objective) {
+std::string score_words(const SynthesisOptions& options, const FourBarSolution& found, int decimals) {
+  const CurveError error = found.fit ? found.fit->error : CurveError{};
+  switch (options.objective) {
     case Objective::link_ratio:
       return rounded_text(found.lengths.longest() / found.lengths.shortest(), 3);
     case Objective::size:
       return rounded_text(found.lengths.longest(), decimals);
     case Objective::path_error:
-      return significant_text(found.fit ? found.fit->error.rms : 0, 4) + " (root mean square)";
+      return options.fit.measure == FitMeasure::least_largest ? significant_text(error.max, 4) + " (largest)"
+                                                              : significant_text(error.rms, 4) + " (root mean square)";
     case Objective::structural_error:
       return significant_text(degrees(found.function ? found.function->max_structural_error.value_or(0) : 0), 3) + "°";
     default:
@@ -175,7 +177,7 @@ std::string why_the_best(const Problem& problem, const FourBarAnswer& answer, in
   const Objective objective = answer.options.objective;
   const auto score = [&](std::size_t i) {
     const auto by_analysis = analysis_score(answer, i, problem.length_unit);
-    return by_analysis ? *by_analysis : score_words(objective, linkages[i], decimals);
+    return by_analysis ? *by_analysis : score_words(answer.options, linkages[i], decimals);
   };
   std::string text = fmt::format("Linkage 1 has the {}, {}", superlative(objective), score(0));
   if (linkages.size() > 1) text += fmt::format("; linkage 2 follows with {}", score(1));

@@ -22,8 +22,11 @@ class Travel {
   // Nothing where the targets do not come in turn within a round.
   [[nodiscard]] std::optional<Way> through(std::span<const double> places, bool closed) const {
     Way way{{places[0]}, places[0], places[0]};
+    double front = places[0];
     for (std::size_t j = 1; j < places.size() + (closed ? 1 : 0); ++j) {
-      const double next = way.positions.back() + step_between(places[j - 1], places[j % places.size()]);
+      const double to = places[j % places.size()];
+      const double next = way.positions.back() + step_between(places[j - 1], to, front);
+      if (sense_ > 0 ? next > way.high : next < way.low) front = to;
       way.positions.push_back(next);
       way.low = std::min(way.low, next);
       way.high = std::max(way.high, next);
@@ -35,13 +38,13 @@ class Travel {
   }
 
  private:
-  // Forwards, but back where that is a matter of noise.
-  [[nodiscard]] double step_between(double from, double to) const {
+  // Forwards, but back where that is a matter of noise: never farther than that behind the front, the farthest place
+  // so far, or points close to each other would lead back all the way.
+  [[nodiscard]] double step_between(double from, double to, double front) const {
     double forward = std::fmod(sense_ * (to - from), round_);
     if (forward < 0) forward += round_;
     const double back = round_ - forward;
-    const double path_back = path_between(to, from);
-    const bool is_noise = back < forward && path_back <= noise_;
+    const bool is_noise = back < forward && path_between(to, front) <= noise_;
     return sense_ * (is_noise ? -back : forward);
   }
   // Of the path, in the sense of travel.
@@ -70,13 +73,13 @@ std::array<Point, 2> joined(CurveDriver driver, const LoopState& at, Point outpu
 class DriverCheck {
  public:
   DriverCheck(const CouplerLinkage& linkage, const CouplerCircuit& circuit, const Way& way, bool closed)
-      : linkage_(linkage), circuit_(circuit), round_(circuit.states().size() - 1) {
+      : linkage_(linkage), circuit_(circuit), way_(way), round_(circuit.states().size() - 1) {
     first_ = static_cast<long>(std::ceil(way.low));
     last_ = closed ? first_ + static_cast<long>(round_) : std::max(first_, static_cast<long>(std::floor(way.high)));
   }
 
   [[nodiscard]] CircuitDrive::OfDriver of(CurveDriver driver) const {
-    CircuitDrive::OfDriver found{true, false, 1};
+    CircuitDrive::OfDriver found{true, false, 1, {}};
     int side = 0;
     for (long k = first_; k <= last_; ++k) {
       const auto [one, other] = joined(driver, state(k), output(state(k)));
@@ -87,7 +90,10 @@ class DriverCheck {
       found.min_sine = std::min(found.min_sine, std::abs(sine));
     }
     if (!found.no_dead_point) found.min_sine = 0;
-    found.full_turn = std::abs(std::abs(turning(driver)) - 6.283185307179586) < 1e-3;
+    const std::vector<double> turned = turned_along(driver);
+    found.full_turn = std::abs(std::abs(turned.back()) - 6.283185307179586) < 1e-3;
+    for (const double position : way_.positions)
+      found.turns.push_back(turn_to(position, turned) - turn_to(way_.positions[0], turned));
     return found;
   }
 
@@ -100,17 +106,25 @@ class DriverCheck {
   [[nodiscard]] Point direction_of(CurveDriver driver, const LoopState& at) const {
     return driver == CurveDriver::e ? at.e : driver == CurveDriver::u ? at.u : output(at);
   }
-  [[nodiscard]] double turning(CurveDriver driver) const {
-    double sum = 0;
+  // Up to each state of the circuit; at the end that of a whole round.
+  [[nodiscard]] std::vector<double> turned_along(CurveDriver driver) const {
+    std::vector<double> turned = {0};
     for (long k = 0; k < static_cast<long>(round_); ++k) {
       const Point from = direction_of(driver, state(k)), to = direction_of(driver, state(k + 1));
-      sum += std::atan2(cross(from, to), dot(from, to));
+      turned.push_back(turned.back() + std::atan2(cross(from, to), dot(from, to)));
     }
-    return sum;
+    return turned;
+  }
+  [[nodiscard]] double turn_to(double position, const std::vector<double>& turned) const {
+    const auto round = static_cast<double>(round_);
+    const double rounds = std::floor(position / round);
+    const auto at = static_cast<std::size_t>(position - rounds * round);
+    return rounds * turned.back() + turned[std::min(at, round_)];
   }
 
   const CouplerLinkage& linkage_;
   const CouplerCircuit& circuit_;
+  const Way& way_;
   std::size_t round_;
   long first_ = 0, last_ = 0;
 };
@@ -120,6 +134,15 @@ double distance_to_segment(Point p, Point from, Point to) {
   const double square = std::norm(along);
   const double share = square > 0 ? std::clamp(dot(p - from, along) / square, 0.0, 1.0) : 0;
   return std::abs(p - from - share * along);
+}
+
+// Of the way, what it goes to and fro by noise once; closed: all round.
+double path_length(const CouplerCircuit& circuit, const Way& way, bool closed) {
+  const double whole = circuit.path().back(), round = static_cast<double>(circuit.states().size() - 1);
+  if (closed) return whole;
+  const double base = std::floor(way.low / round) * round, high = way.high - base;
+  const double over = std::max(high - round, 0.0);
+  return circuit.path_at(std::min(high, round)) - circuit.path_at(way.low - base) + circuit.path_at(over);
 }
 
 // How the path between the targets compares with the polygon: each stretch with its own side and those beside it.
@@ -132,7 +155,7 @@ void compare_paths(const CouplerCircuit& circuit, const Way& way, std::span<cons
     return distance_to_segment(p, targets[static_cast<std::size_t>(at)],
                                targets[static_cast<std::size_t>((at + 1) % n)]);
   };
-  double polygon = 0, path = 0;
+  double polygon = 0;
   for (long j = 0; j < sides; ++j) {
     const auto k = static_cast<std::size_t>(j);
     polygon += std::abs(targets[static_cast<std::size_t>((j + 1) % n)] - targets[k]);
@@ -143,12 +166,8 @@ void compare_paths(const CouplerCircuit& circuit, const Way& way, std::span<cons
       const double off = std::min({side_distance(j - 1, p), side_distance(j, p), side_distance(j + 1, p)});
       drive.excursion = std::max(drive.excursion, off);
     }
-    const double rounds = std::floor(low / static_cast<double>(round)), base = rounds * static_cast<double>(round);
-    const double over = std::max(high - base - static_cast<double>(round), 0.0);
-    path += circuit.path_at(std::min(high - base, static_cast<double>(round))) - circuit.path_at(low - base) +
-            circuit.path_at(over);
   }
-  drive.path_length_ratio = polygon > 0 ? path / polygon : 0;
+  drive.path_length_ratio = polygon > 0 ? path_length(circuit, way, closed) / polygon : 0;
 }
 
 }  // namespace

@@ -50,6 +50,8 @@ struct CircuitDrive {
     bool no_dead_point = false;  ///< on the way; all the way round of a closed target
     bool full_turn = false;      ///< a whole round of the circuit turns it once
     double min_sine = 0;         ///< of the transmission angle on the way
+    /// From the first target to each on the way, radians, to a step or two of the circuit. Empty: not in order.
+    std::vector<double> turns;
   };
   std::array<OfDriver, 3> drivers;
   double excursion = 0;          ///< of the path on the way from the polygon through the targets

@@ -97,13 +97,24 @@ std::size_t best_realisation(const std::vector<Realisation>& all, const CircuitD
   return best;
 }
 
-std::vector<FitState> told_states(const Realisation& of, const CurveTarget& target) {
+// From the first state to each: between sparse points an input may turn by more than half a turn.
+std::vector<double> input_turns(const Realisation& of, const CircuitDrive& drive) {
+  const std::vector<double>& on_the_way = drive.of(of.input).turns;
+  std::vector<double> turns = {0};
+  for (std::size_t j = 1; j < of.states.size(); ++j) {
+    const double turn = std::arg(product(of.states[j].e, std::conj(of.states[0].e)));
+    const double about = on_the_way.empty() ? turns.back() : on_the_way[j];
+    turns.push_back(turn + two_pi * std::round((about - turn) / two_pi));
+  }
+  return turns;
+}
+
+std::vector<FitState> told_states(const Realisation& of, std::span<const double> turns, const CurveTarget& target) {
   std::vector<FitState> told;
+  const double first = std::arg(of.states[0].e);
   for (std::size_t j = 0; j < of.states.size(); ++j) {
     const TracingFourBar at = placed(of.linkage, of.states[j]);
-    double angle = std::arg(of.states[j].e);
-    if (j > 0) angle += two_pi * std::round((told.back().input_angle - angle) / two_pi);
-    told.push_back({at.bars, angle, at.point, std::abs(at.point - target.points[j])});
+    told.push_back({at.bars, first + turns[j], at.point, std::abs(at.point - target.points[j])});
   }
   return told;
 }
@@ -126,12 +137,19 @@ CurveError told_error(const std::vector<FitState>& states, const CurveTarget& ta
   return error;
 }
 
+// How far two points may come in the wrong order along the path: their errors move them along it as they do across it,
+// one forwards and the other back. Of many points the farthest off stand for it, within what a few of them make of it.
 double noise_of(const CouplerLinkage& linkage, std::span<const LoopState> states, const CurveTarget& target) {
-  double square = 0;
-  for (std::size_t j = 0; j < states.size(); ++j)
-    square += std::norm(traced_point(linkage, states[j]) - target.points[j]);
+  constexpr double both = 2, most = 6;  // times the largest, and the root mean square
+  double square = 0, largest = 0;
+  for (std::size_t j = 0; j < states.size(); ++j) {
+    const double off = std::norm(traced_point(linkage, states[j]) - target.points[j]);
+    square += off;
+    largest = std::max(largest, off);
+  }
   constexpr double rounding = 1e-9;  // of doubled points
-  return std::sqrt(square / static_cast<double>(states.size())) + rounding * target.diagonal();
+  return std::min(both * std::sqrt(largest), most * std::sqrt(square / static_cast<double>(states.size()))) +
+         rounding * target.diagonal();
 }
 
 }  // namespace
@@ -161,10 +179,14 @@ CurveFit curve_fit_of(const CouplerLinkage& linkage, std::span<const LoopState> 
   const Realisation& best = all[first];
 
   CurveFit fit;
-  fit.realisations[fit.realisation_count++] = placed(best.linkage, best.states.front());
+  const auto list = [&](const Realisation& of) {
+    fit.input_turns[fit.realisation_count] = input_turns(of, drive);
+    fit.realisations[fit.realisation_count++] = placed(of.linkage, of.states.front());
+  };
+  list(best);
   for (std::size_t k = 0; k < all.size(); k += 2)
-    if (k / 2 != first / 2) fit.realisations[fit.realisation_count++] = placed(all[k].linkage, all[k].states.front());
-  fit.states = told_states(best, target);
+    if (k / 2 != first / 2) list(all[k]);
+  fit.states = told_states(best, fit.input_turns[0], target);
   fit.error = told_error(fit.states, target, drive);
   fit.drive = verdict(drive, best.input, best.output);
   fit.min_transmission_angle = std::asin(std::min(drive.of(best.input).min_sine, 1.0));

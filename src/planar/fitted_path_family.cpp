@@ -64,14 +64,34 @@ Point coupler_turn(const TracingFourBar& linkage, const FourBar& first, const Fi
   });
 }
 
+// Of the points of the task alone, by their numbers there.
+CurveError error_of(const NearestTarget& near, const CurveFit& fit) {
+  CurveError error = fit.error;
+  error.sum_of_squares = error.max = 0;
+  double weights = 0;
+  for (std::size_t j = 0; j < fit.states.size(); ++j) {
+    if (near.point[j] == NearestTarget::between) continue;
+    const double weight = near.target.weights[j], distance = fit.states[j].distance;
+    weights += weight;
+    error.sum_of_squares += weight * distance * distance;
+    if (!(weight > 0 && distance >= error.max)) continue;
+    error.max = distance;
+    error.max_at = near.point[j];
+  }
+  error.rms = std::sqrt(error.sum_of_squares / weights);
+  error.rms_over_diagonal = error.rms / near.target.diagonal();
+  return error;
+}
+
 }  // namespace
 
-FittedPathFamily::FittedPathFamily(NearestTarget near, std::vector<CurveFit> fits)
+FittedPathFamily::FittedPathFamily(NearestTarget near, std::vector<CurveFit> fits, FitMeasure measure)
     : PathFamily({near.target.points.front(), near.target.diagonal()},
                  axis_of(AxisQuantity::fitted_curve, "curve", fits.size()),
                  axis_of(AxisQuantity::realisation, "realisation", most_realisations)),
       near_(std::move(near)),
       fits_(std::move(fits)),
+      measure_(measure),
       positions_(positions_among(near_.target.points.size(), near_.target.closed)) {}
 
 std::span<const Measure> FittedPathFamily::measures() const { return fitted_measures; }
@@ -118,7 +138,8 @@ LinkageFamily::CellAt FittedPathFamily::cells(bool respect_direction) const {
     std::optional<Cell> cell = judge(place, is_worth_it);
     const auto traced = traced_at(place);
     if (!cell || !traced) return cell;
-    cell->values[planar_measures.size()] = error_of(traced->fit).rms;
+    const CurveError error = error_of(near_, traced->fit);
+    cell->values[planar_measures.size()] = measure_ == FitMeasure::least_largest ? error.max : error.rms;
     if (near_.target.closed) cell->values[0] = cell->values[1];  // it is run all along
     if (near_.target.closed && !input_is_crank(cell->type)) cell->defects.bits |= Defects::branch_bit;
     return cell;
@@ -156,41 +177,18 @@ void FittedPathFamily::fill(RegionMap& map, std::span<const double> input, std::
   }
 }
 
-// Of the points of the task alone, by their numbers there.
-CurveError FittedPathFamily::error_of(const CurveFit& fit) const {
-  CurveError error = fit.error;
-  error.sum_of_squares = error.max = 0;
-  double weights = 0;
-  for (std::size_t j = 0; j < fit.states.size(); ++j) {
-    if (near_.point[j] == NearestTarget::between) continue;
-    const double weight = near_.target.weights[j], distance = fit.states[j].distance;
-    weights += weight;
-    error.sum_of_squares += weight * distance * distance;
-    if (!(weight > 0 && distance >= error.max)) continue;
-    error.max = distance;
-    error.max_at = near_.point[j];
-  }
-  error.rms = std::sqrt(error.sum_of_squares / weights);
-  error.rms_over_diagonal = error.rms / near_.target.diagonal();
-  return error;
-}
-
 std::optional<FittedPath> FittedPathFamily::fitted_at(MapPoint place) const {
   const auto traced = traced_at(place);
   if (!traced) return std::nullopt;
   const std::vector<FitState>& states = traced->fit.states;
   const FourBar& bars = traced->linkage.bars;
-  const Point crank = bars.input_moving - bars.input_fixed;
   FittedPath path;
-  path.error = error_of(traced->fit);
+  path.error = error_of(near_, traced->fit);
   path.at_length_limit = traced->fit.at_length_limit;
-  double before = 0;
+  const std::vector<double>& turns = traced->fit.input_turns[traced->realisation];
   for (std::size_t j = 0; j < states.size(); ++j) {
-    const Point turn = coupler_turn(traced->linkage, states.front().bars, states[j]);
-    const Point moving = states[j].point + turn * (bars.input_moving - traced->linkage.point);
-    before += wrap_signed(std::arg((moving - bars.input_fixed) * std::conj(crank)) - before);
     if (near_.point[j] == NearestTarget::between) continue;
-    path.at.push_back({near_.point[j], before, states[j].point, states[j].distance});
+    path.at.push_back({near_.point[j], turns[j], states[j].point, states[j].distance});
     if (states[j].distance > near_.tolerance[j]) path.outside.push_back(near_.point[j]);
   }
   path.realisations.push_back(bars);
@@ -251,14 +249,15 @@ Notice about_search(const CurveFits& found) {
            {"minima", static_cast<double>(minima)}}};
 }
 
-std::optional<Notice> about_defects(const CurveFits& found) {
-  const auto& with = found.smallest_with_defects;
-  if (!with || (!found.fits.empty() && found.fits.front().error.rms <= with->error.rms)) return std::nullopt;
+std::optional<Notice> about_defects(const NearestTarget& near, const CurveFits& found) {
+  if (!found.smallest_with_defects) return std::nullopt;
+  const double with = error_of(near, *found.smallest_with_defects).rms;
+  if (!found.fits.empty() && error_of(near, found.fits.front()).rms <= with) return std::nullopt;
   return Notice{"nearer_with_defects",
                 fmt::format("With a defect – a dead point on the way, points on two circuits or out of order – a path "
                             "could pass at {:.4g} (root mean square).",
-                            with->error.rms),
-                {{"rms", with->error.rms}}};
+                            with),
+                {{"rms", with}}};
 }
 
 // Of the best, where it would surprise whoever sees the points alone.
@@ -286,18 +285,18 @@ std::optional<Notice> about_exact(const NearestTarget& near) {
                 {{"count", static_cast<double>(count)}}};
 }
 
-std::optional<Notice> about_tolerance(const NearestTarget& near, const FittedPathFamily& family) {
-  const bool is_asked = std::any_of(near.tolerance.begin(), near.tolerance.end(),
-                                    [](double tolerance) { return std::isfinite(tolerance); });
+// By what all tolerances are to be multiplied that a path keeps them.
+double tolerance_factor(const NearestTarget& near, const CurveFit& fit) {
+  double factor = 0;
+  for (std::size_t j = 0; j < fit.states.size(); ++j)
+    factor = std::max(factor, fit.states[j].distance / near.tolerance[j]);
+  return factor;
+}
+
+std::optional<Notice> about_tolerance(const NearestTarget& near, const CurveFits& found) {
   double factor = std::numeric_limits<double>::infinity();
-  for (const MapPoint place : family.few_places()) {
-    const auto path = family.fitted_at(place);
-    double needed = 0;
-    for (std::size_t j = 0; path && j < path->at.size(); ++j)
-      needed = std::max(needed, path->at[j].distance / near.tolerance[j]);
-    if (path) factor = std::min(factor, needed);
-  }
-  if (!is_asked || factor <= 1) return std::nullopt;
+  for (const CurveFit& fit : found.fits) factor = std::min(factor, tolerance_factor(near, fit));
+  if (factor <= 1) return std::nullopt;
   return Notice{"path_tolerance_missed",
                 fmt::format("No path found keeps the tolerance at all points; {:.3g} times as much would do.", factor),
                 {{"factor", factor}}};
@@ -314,11 +313,7 @@ Notice nothing_fits(const CurveFits& found) {
 
 // The tolerance may be kept by a path whose largest distance is the least.
 void add_least_largest(const NearestTarget& near, CurveFitOptions options, CurveFits& found, const Progress& progress) {
-  const auto keeps = [&](const CurveFit& fit) {
-    for (std::size_t j = 0; j < fit.states.size(); ++j)
-      if (fit.states[j].distance > near.tolerance[j]) return false;
-    return true;
-  };
+  const auto keeps = [&](const CurveFit& fit) { return tolerance_factor(near, fit) <= 1; };
   const bool is_kept = std::any_of(found.fits.begin(), found.fits.end(), keeps);
   if (is_kept || options.measure == FitMeasure::least_largest || progress.is_cancelled()) return;
   options.measure = FitMeasure::least_largest;
@@ -341,14 +336,14 @@ TaskFamily family_of_nearest(const PathTask& task, const Requirements& requireme
   add_least_largest(near, fit, found, progress);
   if (auto notice = about_exact(near)) given.warnings.push_back(*std::move(notice));
   given.warnings.push_back(about_search(found));
-  if (auto notice = about_defects(found)) given.warnings.push_back(*std::move(notice));
+  if (auto notice = about_defects(near, found)) given.warnings.push_back(*std::move(notice));
   given.has_no_dyads = found.fits.empty();
   if (given.has_no_dyads) {
     given.degeneracy = nothing_fits(found);
     return given;
   }
-  const auto family = std::make_shared<const FittedPathFamily>(near, std::move(found.fits));
-  if (auto notice = about_tolerance(near, *family)) given.warnings.push_back(*std::move(notice));
+  if (auto notice = about_tolerance(near, found)) given.warnings.push_back(*std::move(notice));
+  const auto family = std::make_shared<const FittedPathFamily>(near, std::move(found.fits), wishes.measure);
   if (auto notice = about_straying(*family, near)) given.warnings.push_back(*std::move(notice));
   given.paths = family;
   given.family = family;

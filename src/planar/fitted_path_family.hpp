@@ -18,11 +18,11 @@ namespace linkwright {
 /// of the points, five at most; how near it comes to all of them, fitted_at() says.
 class FittedPathFamily : public PathFamily {
  public:
-  /// `fits`: of the target, some.
-  FittedPathFamily(NearestTarget near, std::vector<CurveFit> fits);
+  /// `fits`: of the target, some; `measure`: what was to be least of them.
+  FittedPathFamily(NearestTarget near, std::vector<CurveFit> fits, FitMeasure measure);
 
   [[nodiscard]] const LinkageClass& linkages() const override { return near_path_linkages; }
-  /// With the error.
+  /// With the error: root mean square of the distances, or the largest of them where that is to be least.
   [[nodiscard]] std::span<const Measure> measures() const override;
   [[nodiscard]] bool is_timed() const override { return false; }
 
@@ -50,12 +50,12 @@ class FittedPathFamily : public PathFamily {
   };
   [[nodiscard]] std::optional<Traced> traced_at(MapPoint place) const;
   [[nodiscard]] std::optional<std::size_t> curve_of(const Pivots& pivots) const;
-  [[nodiscard]] CurveError error_of(const CurveFit& fit) const;
   void fill(RegionMap& map, std::span<const double> input, std::span<const double> output, bool respect_direction,
             const RegionOptions& options, const Progress& progress) const override;
 
   NearestTarget near_;
   std::vector<CurveFit> fits_;
+  FitMeasure measure_;
   std::vector<std::size_t> positions_;  ///< states that are positions, the first first
 };
 

@@ -23,7 +23,8 @@ double extent_of(const PathTask& task) {
 }
 
 bool is_at(const PathPoint& one, const PathPoint& other, double extent) {
-  return std::abs(one.point - other.point) <= tolerance::repeated_pose * extent;
+  constexpr double least = 1e-60;  // of which a fit's fourth powers still are numbers of full precision
+  return std::abs(one.point - other.point) <= std::max(tolerance::repeated_pose * extent, least);
 }
 
 void check_numbers(const PathTask& task, std::vector<Error>& found) {
@@ -152,11 +153,24 @@ double weight_of(const PathTask& task, std::size_t point, double unit) {
   return task.points[point].weight.value_or(1) * by_tolerance * by_tolerance;
 }
 
-// So that weights are about 1.
+// So that weights are about 1: the least of what weighs anything.
 double tolerance_unit(const PathTask& task) {
   double least = std::numeric_limits<double>::infinity();
-  for (std::size_t i = 0; i < task.points.size(); ++i) least = std::min(least, task.tolerance_at(i).value_or(least));
+  for (std::size_t i = 0; i < task.points.size(); ++i)
+    if (task.points[i].weight.value_or(1) > 0) least = std::min(least, task.tolerance_at(i).value_or(least));
   return std::isfinite(least) ? least : 1;
+}
+
+// Takes a point into the target; one at the place of another of its points instead makes that one stricter.
+void take_point(const PathTask& task, std::size_t i, double unit, NearestTarget& near, std::size_t at) {
+  if (at == near.point.size()) {
+    near.point.push_back(i);
+    near.target.points.push_back(task.points[i].point);
+    near.target.weights.push_back(0);
+    near.tolerance.push_back(std::numeric_limits<double>::infinity());
+  }
+  near.target.weights[at] = std::max(near.target.weights[at], weight_of(task, i, unit));
+  near.tolerance[at] = std::min(near.tolerance[at], task.tolerance_at(i).value_or(near.tolerance[at]));
 }
 
 // Of each side of the polygon its middle, as a point of a quarter of the weight.
@@ -185,22 +199,13 @@ NearestTarget nearest_target(const PathTask& task) {
   near.target.closed = task.closed;
   const double extent = extent_of(task), unit = tolerance_unit(task);
   std::vector<std::size_t> repeated, closing;
+  std::size_t last = task.points.size();
+  while (task.closed && last > 3 && is_at(task.points[last - 1], task.points.front(), extent))
+    closing.push_back(--last);
   for (std::size_t i = 0; i < task.points.size(); ++i) {
-    const PathPoint& point = task.points[i];
-    if (!near.point.empty() && is_at(point, task.points[near.point.back()], extent)) {
-      repeated.push_back(i);
-      continue;
-    }
-    near.point.push_back(i);
-  }
-  while (task.closed && near.point.size() > 3 && is_at(task.points[near.point.back()], task.points.front(), extent)) {
-    closing.push_back(near.point.back());
-    near.point.pop_back();
-  }
-  for (const std::size_t i : near.point) {
-    near.target.points.push_back(task.points[i].point);
-    near.target.weights.push_back(weight_of(task, i, unit));
-    near.tolerance.push_back(task.tolerance_at(i).value_or(std::numeric_limits<double>::infinity()));
+    const bool repeats = !near.point.empty() && is_at(task.points[i], task.points[near.point.back()], extent);
+    if (repeats && i < last) repeated.push_back(i);
+    take_point(task, i, unit, near, i >= last ? 0 : repeats ? near.point.size() - 1 : near.point.size());
   }
   if (task.between == PathBetween::polyline) put_middles_between(near);
   if (!repeated.empty())

@@ -404,7 +404,9 @@ Result<Answer> solve_of_kind(const FunctionTask& task, const Requirements& requi
 Result<Answer> solve_of_kind(const PathTask& task, const Requirements& requirements, const SynthesisOptions& options,
                              const Progress& progress) {
   PathAnswer answer = begin_answer(task, requirements, options, progress);
-  const TaskWords& words = task.timing() == PathTiming::none ? path_words : timed_path_words;
+  const TaskWords& words = task.is_approximate()               ? near_path_words
+                           : task.timing() == PathTiming::none ? path_words
+                                                               : timed_path_words;
   if (!find_pairs(answer, words, progress)) return cancelled();
   return Answer(std::move(answer));
 }

@@ -33,6 +33,10 @@ inline constexpr TaskWords path_words = {
     "four-bars whose point passes all points", "four-bars", timed_path_words.lock,
     "Move a point or what is given beside the points, {}or allow a defect (no_defects: false)."};
 
+inline constexpr TaskWords near_path_words = {"four-bars found whose point passes near all points", "four-bars",
+                                              timed_path_words.lock,
+                                              "Move a point, {}or allow a defect (no_defects: false)."};
+
 inline constexpr TaskWords spherical_words = {
     "spherical four-bars that pass through all orientations", "four-bars", "lock between two orientations (branch)",
     "Try another order of the orientations, {}allow a defect (no_defects: false), or turn an orientation a little."};

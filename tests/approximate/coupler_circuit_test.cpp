@@ -73,6 +73,65 @@ TEST(CouplerCircuit, SeesStatesOutOfOrder) {
   }
 }
 
+TEST(CouplerCircuit, TakesGoingBackForNoiseUpToAllOfItTogether) {
+  testing::RandomFourBars draw(5);
+  for (int k = 0; k < 100; ++k) {
+    const Motion m = drawn_motion(draw, 400);
+    const auto drive_to = [&](const std::vector<std::size_t>& picked, double noise) {
+      std::vector<LoopState> states;
+      std::vector<Point> points;
+      for (const std::size_t j : picked) {
+        states.push_back(m.states[j]);
+        points.push_back(m.points[j]);
+      }
+      return drive_along_circuit(m.linkage, states, points, false, noise);
+    };
+    std::vector<std::size_t> to_and_fro;
+    double step = 0, back = 0;
+    for (std::size_t j = 0; j <= 100; ++j) to_and_fro.push_back(j);
+    for (std::size_t j = 100; j-- > 0;) {
+      const double side = std::abs(m.points[j + 1] - m.points[j]);
+      step = std::max(step, side);
+      back += side;
+      to_and_fro.push_back(j);
+    }
+    if (3 * step > 0.5 * back) continue;
+    EXPECT_FALSE(drive_to(to_and_fro, 3 * step).in_order)
+        << k << ": each step back is within the noise, together they are not";
+    const CircuitDrive noisy = drive_to({0, 10, 12, 11, 10, 20, 40}, 3 * step);
+    EXPECT_TRUE(noisy.in_order) << k;
+    const CircuitDrive straight = drive_to({0, 10, 20, 40}, 3 * step);
+    const auto side = [&](std::size_t a, std::size_t b) { return std::abs(m.points[a] - m.points[b]); };
+    const double polygon = side(0, 10) + side(10, 20) + side(20, 40);
+    const double to_and_back = side(10, 12) + side(12, 11) + side(11, 10);
+    EXPECT_NEAR(noisy.path_length_ratio * (polygon + to_and_back), straight.path_length_ratio * polygon, 1e-9 * polygon)
+        << "the path is as long whatever the points do";
+  }
+}
+
+TEST(CouplerCircuit, CountsTurnsOnBetweenSparseStates) {
+  testing::RandomFourBars draw(6);
+  int tried = 0;
+  while (tried < 50) {
+    const Motion m = drawn_motion(draw, 360);
+    if (!input_is_crank(linkage_type(m.bars.lengths()))) continue;
+    ++tried;
+    std::vector<LoopState> states;
+    std::vector<Point> points;
+    for (const std::size_t j : {0, 20, 250, 300}) {
+      states.push_back(m.states[j]);
+      points.push_back(m.points[j]);
+    }
+    const std::vector<double> turns =
+        drive_along_circuit(m.linkage, states, points, true, 1e-9).of(CurveDriver::e).turns;
+    ASSERT_EQ(turns.size(), 5u);
+    const double sense = turns[1] > 0 ? 1 : -1;
+    for (std::size_t k = 0; k + 1 < turns.size(); ++k) EXPECT_GT(sense * (turns[k + 1] - turns[k]), 0) << tried;
+    EXPECT_NEAR(sense * turns[4], two_pi, 0.03) << tried;
+    EXPECT_GT(sense * (turns[2] - turns[1]), pi / 2) << tried;
+  }
+}
+
 TEST(CouplerCircuit, SeesAStateOnTheOtherCircuit) {
   testing::RandomFourBars draw(3);
   int tried = 0;

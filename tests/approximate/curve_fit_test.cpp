@@ -58,6 +58,26 @@ TEST(CurveFit, FindsExactClosedCurvesAgain) {
   EXPECT_GE(exact, draws - 1);
 }
 
+TEST(CurveFit, FollowsDensePointsThroughTheirNoise) {
+  for (const bool closed : {true, false}) {
+    CurveTarget target = testing::traced_target(testing::drawn_linkage(3, true), closed, 300);
+    const double noise = 0.004 * target.diagonal();
+    std::uint64_t state = 7;
+    const auto draw = [&] {  // sum of uniforms: of variance 1, all but normal
+      double sum = -6;
+      for (int k = 0; k < 12; ++k) {
+        state = state * 6364136223846793005u + 1442695040888963407u;
+        sum += static_cast<double>(state >> 11) * 0x1p-53;
+      }
+      return sum;
+    };
+    for (Point& point : target.points) point += noise * Point{draw(), draw()};
+    const CurveFits found = fit_curve(target, quick);
+    ASSERT_FALSE(found.fits.empty()) << closed << ": neighbours lie nearer to each other than their noise";
+    EXPECT_LT(found.fits.front().error.rms, 1.2 * noise) << closed;
+  }
+}
+
 TEST(CurveFit, IsTracedByThreeRealisations) {
   const CurveTarget target = testing::curve_case("yu1").target;
   const CurveFits found = fit_curve(target);

@@ -58,6 +58,19 @@ TEST(FittedPath, HasCellsWithItsErrorThatAreGoodOnlyWhereTheInputTurnsFully) {
   EXPECT_GT(good, 0);
 }
 
+TEST(FittedPath, IsRankedByTheLargestDistanceWhereThatIsToBeLeast) {
+  FitWishes wishes;
+  wishes.effort = FitEffort::quick;
+  wishes.measure = FitMeasure::least_largest;
+  const TaskFamily given = family_of_nearest(oval(), {}, wishes, {});
+  ASSERT_TRUE(given.paths);
+  for (const MapPoint place : given.paths->few_places()) {
+    const auto cell = given.paths->cell(place);
+    if (!cell) continue;
+    EXPECT_DOUBLE_EQ(cell->values[4], given.paths->fitted_at(place)->error.max);
+  }
+}
+
 TEST(FittedPath, HasThreeFourBarsThatAreOneDesign) {
   const TaskFamily given = family_of(oval());
   ASSERT_TRUE(given.paths);
@@ -91,6 +104,46 @@ TEST(FittedPath, TellsErrorsOfThePointsAlone) {
   }
   EXPECT_NEAR(fit->error.rms, std::sqrt(squares / 14), 1e-12);
   EXPECT_EQ(fit->error.max, largest);
+}
+
+TEST(FittedPath, SaysByHowMuchTheBestMissesTheToleranceOfPointsAlone) {
+  PathTask task = oval();
+  task.between = PathBetween::polyline;
+  task.tolerance = 1e-4;
+  task.points[9].tolerance = 1e-2;
+  const TaskFamily given = family_of(task);
+  ASSERT_TRUE(given.paths);
+  double least = 1e300;
+  for (const MapPoint place : given.paths->few_places()) {
+    const auto fit = given.paths->fitted_at(place);
+    double factor = 0;
+    for (std::size_t j = 0; fit && j < task.points.size(); ++j)
+      factor = std::max(factor, fit->at[j].distance / *task.tolerance_at(j));
+    if (fit) least = std::min(least, factor);
+  }
+  const auto told = std::find_if(given.warnings.begin(), given.warnings.end(),
+                                 [](const Notice& notice) { return notice.code == "path_tolerance_missed"; });
+  ASSERT_NE(told, given.warnings.end());
+  EXPECT_NEAR(std::get<double>(told->values.front().value), least, 1e-9 * least);
+}
+
+TEST(FittedPath, CountsTurnsOfEachInputOnBetweenSparsePoints) {
+  PathTask task;
+  for (const Point place : {Point{0, 0}, Point{4, 0}, Point{1, 3}}) task.points.push_back({place, {}, {}, {}, {}, {}});
+  task.closed = true;
+  const TaskFamily given = family_of(task);
+  ASSERT_TRUE(given.paths);
+  int wide = 0;
+  for (const MapPoint place : given.paths->few_places()) {
+    const auto cell = given.paths->cell(place);
+    if (!cell || !cell->defects.none()) continue;
+    const auto at = given.paths->fitted_at(place)->at;
+    const double sense = at[1].input > 0 ? 1 : -1;
+    EXPECT_GT(sense * (at[2].input - at[1].input), 0);
+    EXPECT_LT(sense * at[2].input, two_pi);
+    if (sense * at[1].input > pi || sense * (at[2].input - at[1].input) > pi) ++wide;
+  }
+  EXPECT_GT(wide, 0);
 }
 
 TEST(FittedPath, IsNoFamilyWhereNothingKeepsWhatIsAsked) {

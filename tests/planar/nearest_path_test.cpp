@@ -65,6 +65,14 @@ TEST(NearestPath, TellsWhatDoesNotGoWithIt) {
   EXPECT_EQ(codes(task), "too_few_near_points@task.points");
 }
 
+TEST(NearestPath, TellsPointsWhoseDistancesHaveNoSquares) {
+  for (const double size : {1e-50, 1e-61, 1e-200, 1e-310}) {
+    PathTask task = hexagon();
+    for (PathPoint& point : task.points) point.point *= size;
+    EXPECT_EQ(codes(task), size > 1e-60 ? "" : "too_few_near_points@task.points") << size;
+  }
+}
+
 TEST(NearestPath, TellsTolerancesAndWeightsOutOfRange) {
   PathTask task = hexagon();
   for (const double wrong :
@@ -94,6 +102,26 @@ TEST(NearestPath, LeavesOutEqualNeighboursAndThePointThatCloses) {
   task.closed = false;
   near = nearest_target(task);
   EXPECT_THAT(near.point, ElementsAre(0, 2, 3, 5, 6)) << "an open path comes back there";
+}
+
+TEST(NearestPath, KeepsTheStricterOfEqualPoints) {
+  PathTask task = through({{2, 0}, {2, 0}, {1, 2}, {-1, 2}, {2, 0}});
+  task.closed = true;
+  for (PathPoint& point : task.points) point.weight = 0;
+  task.points[1].weight = 3;
+  task.points[4].tolerance = 0.5;
+  const NearestTarget near = nearest_target(task);
+  EXPECT_THAT(near.target.weights, ElementsAre(3, 0, 0)) << "a target all without weight could not be fitted";
+  EXPECT_EQ(near.tolerance[0], 0.5);
+}
+
+TEST(NearestPath, HasAWeightWhateverTheTolerances) {
+  PathTask task = hexagon();
+  for (PathPoint& point : task.points) point.weight = 0;
+  task.points[0].weight = 1;
+  task.points[0].tolerance = 1e9;
+  task.points[1].tolerance = 1e-300;
+  EXPECT_EQ(nearest_target(task).target.weights[0], 1);
 }
 
 TEST(NearestPath, WeighsByTolerances) {

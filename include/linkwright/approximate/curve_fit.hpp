@@ -71,7 +71,7 @@ struct CurveError {
 /// Where the linkage is when its point is nearest to a point of the target.
 struct FitState {
   FourBar bars;            ///< the first realisation there
-  double input_angle = 0;  ///< of input_fixed → input_moving, fixed frame, radians, without jumps from point to point
+  double input_angle = 0;  ///< of input_fixed → input_moving, fixed frame, radians, counted on along the way
   Point point{};           ///< of the coupler
   double distance = 0;     ///< from the point of the target, user's unit
 };
@@ -99,7 +99,10 @@ struct CurveFit {
   std::size_t realisation_count = 0;  ///< 3; 1 where the point is a moving pivot and the path so a circle
   CurveError error;
   std::vector<FitState> states;  ///< one to each point of the target, in its order
-  CurveDrive drive;              ///< of the first realisation
+  /// Of each realisation: by how much its input turns from the first point to each on the way, radians. Where the
+  /// points do not come in turn, by the shorter way from each to the next.
+  std::array<std::vector<double>, 3> input_turns;
+  CurveDrive drive;  ///< of the first realisation
   double min_transmission_angle =
       0;  ///< of the first realisation, over the path from the first to the last point, radians
   /// Lengths, ratio, margin, transmission angle and windows are kept by the first realisation.
