@@ -72,7 +72,9 @@ bool keeps(const FitLimits& limits, const PivotWindows& windows, const Realisati
          lengths.shortest() >= (1 - slack) * limits.min_length &&
          lengths.longest() <= (1 + slack) * limits.max_link_ratio * lengths.shortest() &&
          grashof_excess(lengths) >= limits.grashof_margin - slack * diagonal &&
-         least_sine(of) >= limits.min_sine - slack && fixed_pivots_within(windows.ground, of.linkage, diagonal) &&
+         least_sine(of) >= limits.min_sine - slack &&
+         (!limits.all_round || least_sine_all_round(lengths) >= limits.min_sine - slack) &&
+         fixed_pivots_within(windows.ground, of.linkage, diagonal) &&
          moving_pivots_within(windows.moving, placed(of.linkage, of.states.front()).bars);
 }
 
@@ -160,6 +162,7 @@ FitLimits limits_of(const CurveFitOptions& options, bool closed, double diagonal
   limits.max_link_ratio = options.max_link_ratio;
   if (closed && options.grashof_margin) limits.grashof_margin = *options.grashof_margin * diagonal;
   limits.min_sine = std::sin(options.min_transmission_angle);
+  limits.all_round = closed && limits.min_sine > 0;
   return limits;
 }
 

@@ -17,7 +17,7 @@ Excess excess_of(const FitLimits& limits, const CurveStart& start) {
                 lengths.longest() / lengths.shortest() - limits.max_link_ratio,
                 limits.grashof_margin - grashof_excess(lengths)};
   if (start.branch == 0) return excess;
-  excess.sine = -1;
+  excess.sine = limits.all_round ? limits.min_sine - least_sine_all_round(lengths) : -1;
   for (const LoopState& state : start.states) {
     const double sine = cross(state.u, LoopGradient(start.linkage, state).g) / start.linkage.b;
     excess.sine = std::max(excess.sine, limits.min_sine - start.branch * sine);

@@ -8,6 +8,20 @@
 namespace linkwright::fit_limits_test {
 namespace {
 
+TEST(FitLimits, HoldTheTransmissionAngleOfClosedPathsAllRound) {
+  int kept = 0;
+  for (int seed = 1; seed <= 6; ++seed) {
+    const CurveTarget target = testing::traced_target(testing::drawn_linkage(seed, true), true, 16);
+    CurveFitOptions options{.effort = FitEffort::quick};
+    options.min_transmission_angle = 0.6;
+    for (const CurveFit& fit : fit_curve(target, options).fits) {
+      ++kept;
+      EXPECT_GE(fit.min_transmission_angle, 0.6 - 1e-3) << seed;
+    }
+  }
+  EXPECT_GT(kept, 6);
+}
+
 TEST(FitLimits, PivotsLieWhereTheyAreAskedFor) {
   const CurveTarget target = testing::curve_case("yu1").target;
   const Box box{-30, 30, -45, -20};
