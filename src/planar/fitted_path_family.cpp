@@ -220,7 +220,7 @@ namespace {
 
 CurveFitOptions fit_options(const NearestTarget& near, const Requirements& requirements, const FitWishes& wishes,
                             const RegionOptions& options) {
-  constexpr double inside = 3e-6;  // what keeps a limit by the fit keeps it by the figures told
+  constexpr double inside = 2e-6;  // twice the slack of a fit: what keeps a limit by it keeps it by the figures told
   CurveFitOptions fit;
   const double diagonal = near.target.diagonal();
   fit.effort = wishes.effort;
@@ -229,8 +229,10 @@ CurveFitOptions fit_options(const NearestTarget& near, const Requirements& requi
   fit.min_length = (1 + inside) * *requirements.min_length / diagonal;
   fit.max_link_ratio = (1 - inside) * requirements.max_link_ratio;
   fit.grashof_margin = wishes.grashof_margin;
-  if (requirements.min_transmission_angle > 0)
-    fit.min_transmission_angle = requirements.min_transmission_angle + inside;
+  // None is asked for: the fit yet keeps off dead points, where it would end with round-off deciding what it does.
+  constexpr double off_dead_points = 1e-3;
+  const double least_sine = std::max(std::sin(requirements.min_transmission_angle) + inside, off_dead_points);
+  fit.min_transmission_angle = std::asin(std::min(least_sine, 1.0));
   if (requirements.ground_pivots_within) fit.windows.ground = *requirements.ground_pivots_within;
   if (requirements.moving_pivots_within) fit.windows.moving = *requirements.moving_pivots_within;
   fit.threads = options.threads;

@@ -71,6 +71,24 @@ TEST(FittedPath, IsRankedByTheLargestDistanceWhereThatIsToBeLeast) {
   }
 }
 
+TEST(FittedPath, KeepsOffDeadPoints) {
+  PathTask task;  // the nearest paths without that would reach a dead point at one of these
+  for (const Point place : {Point{95.1, 112.1}, Point{105.3, 111.7}, Point{108.7, 109.1}, Point{106.8, 106.4},
+                            Point{101.2, 103.8}, Point{93.8, 99.9}, Point{85.1, 94.6}, Point{76.3, 88.1},
+                            Point{68.6, 81.9}, Point{62.2, 76}, Point{56.1, 72.9}, Point{50.7, 70.2}})
+    task.points.push_back({place, {}, {}, {}, {}, {}});
+  const TaskFamily given = family_of(task);
+  ASSERT_TRUE(given.paths);
+  int usable = 0;
+  for (const MapPoint place : given.paths->few_places()) {
+    const auto cell = given.paths->cell(place);
+    if (!cell || !cell->defects.none()) continue;
+    ++usable;
+    EXPECT_GT(cell->values[0], 0.9 * (1 - std::cos(1e-3))) << "a versine";
+  }
+  EXPECT_GT(usable, 0);
+}
+
 TEST(FittedPath, HasThreeFourBarsThatAreOneDesign) {
   const TaskFamily given = family_of(oval());
   ASSERT_TRUE(given.paths);
