@@ -114,7 +114,7 @@ void fit_field(FieldVisitor& v, const std::optional<FittedPath>& fit) {
   std::vector<std::int64_t> outside;
   for (const std::size_t point : path.outside) outside.push_back(static_cast<std::int64_t>(point) + 1);
   v.member(
-      Field("fit", "Paths that pass near points: how near.").written(fit.has_value()), false, [&](FieldVisitor& at) {
+      Field("fit", "Paths that pass near points: how near, in their turn.").written(fit.has_value()), false, [&](FieldVisitor& at) {
         at.object({.name = "path_fit", .on_lines = true}, [&](FieldVisitor& to) {
           error_field(to, path.error);
           to.shown(Field("within_tolerance", "At all points that have one."), path.outside.empty());
