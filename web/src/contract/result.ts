@@ -466,7 +466,7 @@ export interface FourBar {
   theta_deg_at_points?: readonly number[];
   /** Paths at given angles of the crank. */
   cognate?: TimedCognate;
-  /** Paths that pass near points: how near. */
+  /** Paths that pass near points: how near, in their turn. */
   fit?: PathFit;
   /** Paths with points at which no angle is given: on which side of the line from the arm's ground pivot to each of them its elbow stands, + left or - right, and which of the further dyads. */
   elbows?: string;
