@@ -49,9 +49,12 @@ std::vector<Error> mistakes_in(const OutlineArguments& arguments, std::size_t sh
   return mistakes;
 }
 
-/// As somebody would write it: nine digits.
-Point rounded(Point p) {
-  const auto short_of = [](double value) { return std::stod(fmt::format("{:.9g}", value)); };
+/// To a billionth of a size, as somebody would write it.
+Point rounded(Point p, double size) {
+  const double unit = std::pow(10, std::floor(std::log10(size)) - 9);
+  const auto short_of = [&](double value) {
+    return std::stod(fmt::format("{:.12g}", std::round(value / unit) * unit)) + 0.0;
+  };
   return {short_of(p.real()), short_of(p.imag())};
 }
 
@@ -108,6 +111,7 @@ std::vector<PathPoint> points_along(const DrawnShape& shape, double scale, const
   std::vector<double> reached = {0};
   for (std::size_t i = 1; i < corners.size(); ++i)
     reached.push_back(reached.back() + std::abs(corners[i] - corners[i - 1]));
+  const double size = std::max(shape.width, shape.height);
   std::vector<PathPoint> points;
   std::size_t side = 1;
   for (int k = 0; k < count; ++k) {
@@ -116,7 +120,7 @@ std::vector<PathPoint> points_along(const DrawnShape& shape, double scale, const
     const double length = reached[side] - reached[side - 1];
     const double share = length > 0 ? (way - reached[side - 1]) / length : 0;
     const Point drawn = corners[side - 1] + share * (corners[side] - corners[side - 1]);
-    points.push_back({rounded(placed.origin + std::polar(scale, placed.angle) * drawn), {}, {}, {}, {}, {}});
+    points.push_back({rounded(placed.origin + std::polar(scale, placed.angle) * drawn, scale * size), {}, {}, {}, {}, {}});
   }
   return points;
 }

@@ -41,8 +41,11 @@ function example_cases(): Case[] {
   const folder = join(root, "examples/");
   return readdirSync(folder)
     .filter((file) => file.endsWith(".json"))
-    .map((name) => ({name, problem: readFileSync(folder + name, "utf8")}));
+    .map((name) => ({name, problem: readFileSync(folder + name, "utf8")}))
+    .filter(({problem}) => !is_drawn_path(problem));
 }
+/** Its list is that of a search, which the last digit sorts: twin.test.ts compares the nearest. */
+const is_drawn_path = (problem: string) => /"kind": "path"[^]*"(closed|tolerance)":/.test(problem);
 
 const decoded = (text: string) => new Uint8Array(Buffer.from(text, "base64"));
 const floats = (text: string) => new Float32Array(decoded(text).buffer);
