@@ -120,7 +120,8 @@ std::vector<PathPoint> points_along(const DrawnShape& shape, double scale, const
     const double length = reached[side] - reached[side - 1];
     const double share = length > 0 ? (way - reached[side - 1]) / length : 0;
     const Point drawn = corners[side - 1] + share * (corners[side] - corners[side - 1]);
-    points.push_back({rounded(placed.origin + std::polar(scale, placed.angle) * drawn, scale * size), {}, {}, {}, {}, {}});
+    points.push_back(
+        {rounded(placed.origin + std::polar(scale, placed.angle) * drawn, scale * size), {}, {}, {}, {}, {}});
   }
   return points;
 }

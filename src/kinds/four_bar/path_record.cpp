@@ -113,19 +113,20 @@ void fit_field(FieldVisitor& v, const std::optional<FittedPath>& fit) {
   const FittedPath path = fit.value_or(FittedPath{});
   std::vector<std::int64_t> outside;
   for (const std::size_t point : path.outside) outside.push_back(static_cast<std::int64_t>(point) + 1);
-  v.member(
-      Field("fit", "Paths that pass near points: how near, in their turn.").written(fit.has_value()), false, [&](FieldVisitor& at) {
-        at.object({.name = "path_fit", .on_lines = true}, [&](FieldVisitor& to) {
-          error_field(to, path.error);
-          to.shown(Field("within_tolerance", "At all points that have one."), path.outside.empty());
-          to.shown(Field("outside", "Points that are farther off than their tolerance, from 1."), outside,
-                   forms::on_a_line, forms::count);
-          to.shown(Field("at_length_limit", "Its longest link is as long as is allowed: longer ones may come nearer."),
+  v.member(Field("fit", "Paths that pass near points: how near, in their turn.").written(fit.has_value()), false,
+           [&](FieldVisitor& at) {
+             at.object({.name = "path_fit", .on_lines = true}, [&](FieldVisitor& to) {
+               error_field(to, path.error);
+               to.shown(Field("within_tolerance", "At all points that have one."), path.outside.empty());
+               to.shown(Field("outside", "Points that are farther off than their tolerance, from 1."), outside,
+                        forms::on_a_line, forms::count);
+               to.shown(
+                   Field("at_length_limit", "Its longest link is as long as is allowed: longer ones may come nearer."),
                    path.at_length_limit);
-          nearest_field(to, path);
-          realisations_field(to, path);
-        });
-      });
+               nearest_field(to, path);
+               realisations_field(to, path);
+             });
+           });
 }
 
 }  // namespace
