@@ -126,7 +126,7 @@ test("1 · first start: a map, a count, the linkage opens once, the tour goes wi
   await page.keyboard.press("Escape");
   await expect(page.getByTestId("term.tip")).toBeHidden();
   await page.getByTestId("task.kind").click();
-  await expect(page.getByTestId("dialog.new").locator(".picture")).toHaveCount(17);
+  await expect(page.getByTestId("dialog.new").locator(".picture")).toHaveCount(18);
   await keep_screenshot(page, "new-task");
 });
 
