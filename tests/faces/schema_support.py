@@ -9,7 +9,7 @@ BOUNDS = {"minimum", "exclusiveMinimum", "maximum", "exclusiveMaximum", "minItem
 
 # Parts of the schema that say what a place is not, or which positions count how often: tasks of all patterns are tried above.
 NO_BOUNDS_OF_A_PLACE = ("_positions/", "/if/", "/not", "#/$defs/single", "#/$defs/double", "#/$defs/triple", "#/$defs/quadruple", "#/$defs/quintuple",
-                        "#/$defs/zero")
+                        "#/$defs/zero", "#/$defs/near_path/")
 
 
 def pointers_of_bounds(schema, pointer="#"):
@@ -121,6 +121,8 @@ def problems_with_everything():
         "max_open_force": 60, "max_close_force": 90, "min_hold_open": -5, "max_pin_force": 2000, "max_torque": 50})
     by_cylinder = {"handle": {"point": [-5, -70], "direction": "vertical"}, "drive": {"cylinder": stud}}
     yield "loads by a cylinder", problem(tailgate, length_unit="mm", loads=by_cylinder)
+    yield "a free strength", problem(tailgate, length_unit="mm", loads={"body": loads["body"], "handle": loads["handle"], "springs": [
+        gas | {"best_F1": {"max_F1": 900, "min_F1": 100, "min_hold_open": 5}}]})
     yield "angles", problem(tailgate, tolerances=tolerances | {
         "length": {key: 0.1 for key in ("input", "coupler", "output", "ground_pivots", "point")}, "limit": {"angle_deg": 1}})
     yield "pareto", problem(tailgate, {"pareto": ["link_ratio", "size"], "best": 2})
@@ -164,6 +166,12 @@ def problems_with_everything():
     yield "path in a box", problem({"kind": "path", "mechanism": "four_bar", "points": [
         {"x": x, "y": y} for x, y in ((0, 0), (95, 40), (150, 140), (60, 230), (-70, 190))]},
         {"box": {"x": [-300, 400], "y": [-300, 400]}, "effort": 1, "seed": 1})
+    near = [(0, 0), (95, 40), (150, 140), (60, 230), (-70, 190), (-90, 80)]
+    yield "near points", problem({"kind": "path", "mechanism": "four_bar", "points": [{"x": x, "y": y} for x, y in near]})
+    yield "near weighted points", problem(
+        {"kind": "path", "mechanism": "four_bar", "closed": True, "tolerance": 3, "between": "free", "points": [
+            {"x": x, "y": y, "weight": 1, "tolerance": 2, "derivatives": []} for x, y in near]},
+        {"fit": {"effort": "quick", "measure": "least_squares", "grashof_margin": 0.003}})
     yield "timed about a pivot", problem({"kind": "path", "mechanism": "four_bar", "points": timed,
                                           "given": {"ground_pivots": {"input": [40, 0]}}})
     chain = task_of("loader_bucket_chain")

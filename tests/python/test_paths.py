@@ -278,3 +278,43 @@ def test_at_its_ground_pivot_a_linkage_is_found(angle: str) -> None:
         x = coordinate(columns, region.output, pivots["input_fixed"].real)
         there = [session.linkage(*place) for place in session.all_at(y, x)]
         assert is_among(pivots, [each for each in there if "input" in each])
+
+
+BEAN = [(90, 18), (83, 31), (64, 34), (34, 32), (0, 30), (-34, 32), (-64, 34), (-83, 31), (-90, 18), (-83, -6), (-64, -34), (-34, -57),
+        (0, -66), (34, -57), (64, -34), (83, -6)]
+
+
+def test_a_drawn_path_is_fitted() -> None:
+    answer = lw.fit_path(np.array(BEAN), closed=True, effort="quick", length_unit="mm")
+    assert answer.status == "solved"
+    best = answer.linkages[0]
+    assert best.type == "crank_rocker" and best.full_turn and best.verified
+    fit = best["fit"]
+    assert fit["error"]["rms_over_diagonal"] < 0.005
+    distances = np.array([at["distance"] for at in fit["at"]])
+    assert np.sqrt(np.mean(distances**2)) == pytest.approx(fit["error"]["rms"])
+    assert len(fit["realisations"]) == 3
+    motion = best.motion()
+    assert best.length_unit == "mm" and len(motion) > 360
+
+
+def test_a_drawn_path_goes_by_weights_and_tolerances() -> None:
+    weights = [100.0] * 8 + [1.0] * 8
+    heavy = lw.fit_path(BEAN, closed=True, weights=weights, effort="quick").linkages[0]["fit"]
+    even = lw.fit_path(BEAN, closed=True, effort="quick").linkages[0]["fit"]
+    upper = lambda fit: max(at["distance"] for at in fit["at"][:8])  # noqa: E731
+    assert upper(heavy) <= upper(even) * (1 + 1e-6)
+    assert lw.fit_path(BEAN, closed=True, tolerance=50, effort="quick").linkages[0]["fit"]["within_tolerance"]
+    task = lw.PathTask([lw.PathPoint(*point, tolerance=2) for point in BEAN], closed=True, between="polyline")
+    assert lw.read_problem(task)["task"]["between"] == "polyline"
+
+
+def test_a_drawn_path_has_its_mistakes_told() -> None:
+    with pytest.raises(lw.ProblemError, match="three or more"):
+        lw.fit_path(BEAN[:2])
+    with pytest.raises(lw.ProblemError, match="above 0"):
+        lw.fit_path(BEAN, tolerance=0)
+    with pytest.raises(ValueError, match="3 weights are given for 16 points"):
+        lw.fit_path(BEAN, weights=[1, 2, 3])
+    with pytest.raises(lw.ProblemError, match="endless"):
+        lw.fit_path(BEAN, effort="endless")

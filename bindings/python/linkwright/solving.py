@@ -73,7 +73,7 @@ def fit_path(
         >>> bean = [(90, 18), (83, 31), (64, 34), (34, 32), (0, 30), (-34, 32), (-64, 34), (-83, 31),
         ...         (-90, 18), (-83, -6), (-64, -34), (-34, -57), (0, -66), (34, -57), (64, -34), (83, -6)]
         >>> found = lw.fit_path(bean, closed=True).linkages[0]
-        >>> found.type, found.record["fit"]["error"]["rms_over_diagonal"] < 0.005
+        >>> found.type, found["fit"]["error"]["rms_over_diagonal"] < 0.005
         ('crank_rocker', True)
 
     Args:
@@ -92,11 +92,11 @@ def fit_path(
     Raises:
         ProblemError: fewer than three different points, numbers that are not finite, a tolerance of 0, ….
     """
-    places = [tuple(float(value) for value in point) for point in points]
+    places = [(float(x), float(y)) for x, y in points]
     given: Sequence[float | None] = [None] * len(places) if weights is None else [float(weight) for weight in weights]
     if len(given) != len(places):
         raise ValueError(f"{len(given)} weights are given for {len(places)} points")
-    path = [PathPoint(*place, weight=weight) for place, weight in zip(places, given)]
+    path = [PathPoint(x, y, weight=weight) for (x, y), weight in zip(places, given)]
     task = PathTask(path, closed=closed, tolerance=tolerance, between=between)
     options = {"fit": {"effort": effort, "measure": measure}, "best": best}
     problem = Problem(task, requirements=requirements, options=options, length_unit=length_unit)

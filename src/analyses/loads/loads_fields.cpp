@@ -155,7 +155,7 @@ static void fields(FieldVisitor& v, FreeStrength& free) {
     to.given(Field("min_F1", "N; the weakest spring there is, of 1 N, where it is not given."), free.min_f1,
              not_negative);
     to.required(Field("max_F1", "N: without it the search runs into short strong springs."), free.max_f1,
-                forms::positive);
+                Number{.least = 1, .most = largest_coordinate});
     to.given(Field("min_hold_open", "N, of the cases that count for it."), free.min_hold_open, newtons);
   });
 }
