@@ -4,6 +4,7 @@
 #include "drawn_task.hpp"
 #include "drawn_tolerances.hpp"
 #include "linkwright/mechanism/linkage_type.hpp"
+#include "linkwright/region/linkage_class.hpp"
 
 namespace linkwright::soak {
 namespace {
