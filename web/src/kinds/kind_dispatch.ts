@@ -158,7 +158,7 @@ export function objectives_of(problem: Asked): Objective[] {
 }
 export function objective_of({task, options}: Problem): Objective {
   const usual = kind_of(task).default_objective ?? "min_transmission_angle";
-  return options?.objective ?? (typeof usual === "function" ? usual(task) : usual);
+  return options?.objective ?? (typeof usual === "string" ? usual : usual(task));
 }
 /** What is asked of the engine while a hand moves. */
 export function hurried(problem: Problem): Problem {
