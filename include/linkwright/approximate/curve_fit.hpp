@@ -50,11 +50,13 @@ struct CurveFitOptions {
   /// nothing: non-Grashof linkages are allowed, too. Of closed curves only. Towards 0 the best linkage often is a flat
   /// one.
   std::optional<double> grashof_margin = 0.003;
-  double min_transmission_angle = 0;  ///< at the points, radians in [0, π/2); 0: any
-  PivotWindows windows;               ///< boxes for both fixed pivots, and for both moving ones at the first point
-  std::size_t max_fits = 20;          ///< how many are listed
-  int threads = 0;                    ///< 0: as many as the machine has; never shows in results
-  Simd simd = Simd::automatic;        ///< instruction set of the kernels; all give the same bits
+  double min_transmission_angle = 0;  ///< at the points, closed: all round, radians in [0, π/2); 0: any
+  /// Boxes: for both fixed pivots, between which is fitted; and for both moving ones at the first point, which only
+  /// tells which curves are listed.
+  PivotWindows windows;
+  std::size_t max_fits = 20;    ///< how many are listed
+  int threads = 0;              ///< 0: as many as the machine has; never shows in results
+  Simd simd = Simd::automatic;  ///< instruction set of the kernels; all give the same bits
 };
 
 /// How far a path is from the target, user's unit. Distances are those of the points to the path.

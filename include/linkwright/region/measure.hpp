@@ -77,7 +77,8 @@ inline constexpr Measure hand_force_error{.key = "hand_force_error", .is_added =
 inline constexpr Measure best_f1{.key = "best_F1", .is_added = true};
 /// Of several linkages at a place the one that is shown, by the number of its layer, from 1.
 inline constexpr Measure layer{"layer"};
-/// Of paths that pass near points: root mean square of the distances of the points from the path, user's unit.
+/// Of paths that pass near points: root mean square of the distances of the points from the path, or the
+/// largest of them where that is to be least; user's unit.
 inline constexpr Measure path_error{"path_error"};
 /// Angle that the driver turns from the first to the last position; every map computes it, none keeps it.
 inline constexpr Measure driver_sweep{"driver_sweep_deg"};
