@@ -9,18 +9,10 @@
 
 #include "core/number_check.hpp"
 #include "linkwright/core/tolerance.hpp"
+#include "path_points.hpp"
 
 namespace linkwright {
 namespace {
-
-std::string place_of_point(std::size_t point) { return fmt::format("task.points[{}]", point); }
-
-double extent_of(const PathTask& task) {
-  double extent = 0;
-  for (const PathPoint& point : task.points)
-    extent = std::max(extent, std::abs(point.point - task.points.front().point));
-  return extent;
-}
 
 bool is_at(const PathPoint& one, const PathPoint& other, double extent) {
   constexpr double least = 1e-60;  // of which a fit's fourth powers still are numbers of full precision
@@ -30,8 +22,8 @@ bool is_at(const PathPoint& one, const PathPoint& other, double extent) {
 void check_numbers(const PathTask& task, std::vector<Error>& found) {
   for (std::size_t i = 0; i < task.points.size(); ++i) {
     const PathPoint& point = task.points[i];
-    check_number(point.point.real(), "x", place_of_point(i) + ".x", found);
-    check_number(point.point.imag(), "y", place_of_point(i) + ".y", found);
+    check_number(point.point.real(), "x", place_of_path_point(i) + ".x", found);
+    check_number(point.point.imag(), "y", place_of_path_point(i) + ".y", found);
   }
 }
 
@@ -47,11 +39,11 @@ void check_nothing_else(const PathTask& task, std::vector<Error>& found) {
   for (std::size_t i = 0; i < task.points.size() && found.empty(); ++i) {
     const PathPoint& point = task.points[i];
     if (!point.is_plain())
-      found.push_back({"nearest_with_angles", place_of_point(i) + (point.input ? ".input_deg" : ".theta_deg"),
+      found.push_back({"nearest_with_angles", place_of_path_point(i) + (point.input ? ".input_deg" : ".theta_deg"),
                        "a path that passes near its points has no angles; leave it out here, or give at most five "
                        "points and neither \"closed\", \"tolerance\" nor \"weight\", which are then passed exactly"});
     else if (!point.derivatives.empty())
-      found.push_back({"nearest_with_derivatives", place_of_point(i) + ".derivatives",
+      found.push_back({"nearest_with_derivatives", place_of_path_point(i) + ".derivatives",
                        "a path that passes near its points has no directions; leave them out"});
   }
 }
@@ -92,10 +84,10 @@ void check_tolerances(const PathTask& task, std::vector<Error>& found) {
   bool has_weight = false;
   for (std::size_t i = 0; i < task.points.size(); ++i) {
     const PathPoint& point = task.points[i];
-    check_tolerance(point.tolerance, place_of_point(i) + ".tolerance", found);
+    check_tolerance(point.tolerance, place_of_path_point(i) + ".tolerance", found);
     const double weight = point.weight.value_or(1);
     if (!(weight >= 0 && weight <= largest_coordinate))
-      found.push_back({"path_weight", place_of_point(i) + ".weight", "a weight is a number of 0 or more"});
+      found.push_back({"path_weight", place_of_path_point(i) + ".weight", "a weight is a number of 0 or more"});
     has_weight = has_weight || weight > 0;
   }
   if (!has_weight)

@@ -10,11 +10,10 @@
 #include "linkwright/core/tolerance.hpp"
 #include "linkwright/planar/six_bar_task.hpp"
 #include "nearest_path.hpp"
+#include "path_points.hpp"
 
 namespace linkwright {
 namespace {
-
-std::string place_of_point(std::size_t point) { return fmt::format("task.points[{}]", point); }
 
 bool is_angled(const PathPoint& point) { return !point.is_plain(); }
 bool has_crank_angle(const PathPoint& point) { return point.input.has_value(); }
@@ -96,13 +95,6 @@ void check_count_for_pivots(const PathTask& task, std::vector<Error>& found) {
        {{"count", count}, {"change", change}}});
 }
 
-double extent_of(const PathTask& task) {
-  double extent = 0;
-  for (const PathPoint& point : task.points)
-    extent = std::max(extent, std::abs(point.point - task.points.front().point));
-  return extent;
-}
-
 bool are_same_places(const PathTask& task, std::size_t i, std::size_t j) {
   return std::abs(task.points[i].point - task.points[j].point) <= tolerance::repeated_pose * extent_of(task);
 }
@@ -114,7 +106,7 @@ void check_pivot(const PathTask& task, Point pivot, const std::string& place, st
     if (task.points[i].is_plain() &&
         std::abs(task.points[i].point - pivot) <= tolerance::repeated_pose * extent_of(task))
       found.push_back({"point_at_pivot",
-                       place_of_point(i),
+                       place_of_path_point(i),
                        fmt::format("point {} lies at a ground pivot that is given: a link that reaches it there would "
                                    "turn freely; move one of both",
                                    i + 1),
@@ -136,7 +128,7 @@ void check_directions(const PathTask& task, std::vector<Error>& found) {
   for (const std::size_t i : points_that(task, [](const PathPoint& point) { return !point.input; }))
     for (std::size_t m = 0; m < task.points[i].derivatives.size(); ++m) {
       const PathDerivative& derivative = task.points[i].derivatives[m];
-      const std::string place = fmt::format("{}.derivatives[{}]", place_of_point(i), m);
+      const std::string place = fmt::format("{}.derivatives[{}]", place_of_path_point(i), m);
       if (derivative.input)
         found.push_back({"rate_without_angle", place + ".input",
                          "the crank's rate goes with its angle, and this point has none; leave \"input\" out"});
@@ -156,14 +148,14 @@ void check_repetitions(const PathTask& task, std::vector<Error>& found) {
     if (same > 1)
       return found.push_back(
           {"path_point_three_times",
-           place_of_point(i),
+           place_of_path_point(i),
            fmt::format("point {} is there three times, and a link comes there in two ways; leave one "
                        "out",
                        i + 1),
            {{"i", i + 1}}});
     if (i + 1 < task.points.size() && are_same_places(task, i, i + 1))
       return found.push_back({"path_point_again_at_once",
-                              place_of_point(i + 1),
+                              place_of_path_point(i + 1),
                               fmt::format("point {} is point {} again; leave it out, or give a direction of travel "
                                           "(\"derivatives\") instead",
                                           i + 2, i + 1),
@@ -196,11 +188,11 @@ void check_kinds_of_angles(const PathTask& task, std::vector<Error>& found) {
   const auto timed = timed_points(task);
   if (!with_both.empty())
     found.push_back(
-        {"path_point_with_both_angles", place_of_point(with_both.front()),
+        {"path_point_with_both_angles", place_of_path_point(with_both.front()),
          "this point has an angle of the crank and one of the coupler, more than a four-bar can keep; leave "
          "one out"});
   else if (!posed.empty() && !timed.empty())
-    found.push_back({"path_angles_of_both_links", place_of_point(std::max(posed.front(), timed.front())),
+    found.push_back({"path_angles_of_both_links", place_of_path_point(std::max(posed.front(), timed.front())),
                      "some points have an angle of the crank (\"input_deg\"), others one of the coupler "
                      "(\"theta_deg\"); give those of one link"});
   else if (!posed.empty() && posed.size() == task.points.size())
@@ -213,14 +205,14 @@ void check_kinds_of_angles(const PathTask& task, std::vector<Error>& found) {
 void check_places_between_pivots(const PathTask& task, std::vector<Error>& found) {
   for (std::size_t i = 0; i < task.points.size(); ++i) {
     if (!task.points[i].derivatives.empty())
-      return found.push_back({"derivatives_between_pivots", place_of_point(i) + ".derivatives",
+      return found.push_back({"derivatives_between_pivots", place_of_path_point(i) + ".derivatives",
                               "two ground pivots that are given go with five points without derivatives; leave them "
                               "out, or one of the pivots"});
     for (std::size_t j = i + 1; j < task.points.size(); ++j)
       if (are_same_places(task, i, j))
         return found.push_back(
             {"repeated_point_between_pivots",
-             place_of_point(j),
+             place_of_path_point(j),
              fmt::format("points {} and {} are at one place, and two ground pivots that are given go "
                          "with five different ones; move a point, or leave a pivot out",
                          i + 1, j + 1),
@@ -263,7 +255,7 @@ void check_same_poses(const PathTask& task, std::vector<Error>& found) {
       const auto &a = task.points[i].angle, &b = task.points[j].angle;
       if (a && b && are_same_places(task, i, j) && are_equal_angles(*a, *b))
         return found.push_back({"repeated_path_pose",
-                                place_of_point(j),
+                                place_of_path_point(j),
                                 fmt::format("point {} is point {} again, with the same angle of the coupler; leave one "
                                             "out, or give a direction of travel (\"derivatives\") instead",
                                             j + 1, i + 1),
@@ -275,7 +267,7 @@ void check_coupler_rates(const PathTask& task, std::size_t i, std::vector<Error>
   const PathPoint& point = task.points[i];
   for (std::size_t m = 0; m < point.derivatives.size(); ++m) {
     const PathDerivative& derivative = point.derivatives[m];
-    const std::string place = fmt::format("{}.derivatives[{}]", place_of_point(i), m);
+    const std::string place = fmt::format("{}.derivatives[{}]", place_of_path_point(i), m);
     if (derivative.angle.has_value() != point.angle.has_value())
       found.push_back(point.angle ? Error{"coupler_rate_missing", place,
                                           "the coupler's angle is given at this point, so its derivative is needed, "
@@ -289,12 +281,12 @@ void check_coupler_rates(const PathTask& task, std::size_t i, std::vector<Error>
 void check_numbers(const PathTask& task, std::vector<Error>& found) {
   for (std::size_t i = 0; i < task.points.size(); ++i) {
     const PathPoint& point = task.points[i];
-    check_number(point.point.real(), "x", place_of_point(i) + ".x", found);
-    check_number(point.point.imag(), "y", place_of_point(i) + ".y", found);
-    if (point.input) check_angle(*point.input, "input_deg", place_of_point(i) + ".input_deg", found);
-    if (point.angle) check_angle(*point.angle, "theta", place_of_point(i) + ".theta_deg", found);
+    check_number(point.point.real(), "x", place_of_path_point(i) + ".x", found);
+    check_number(point.point.imag(), "y", place_of_path_point(i) + ".y", found);
+    if (point.input) check_angle(*point.input, "input_deg", place_of_path_point(i) + ".input_deg", found);
+    if (point.angle) check_angle(*point.angle, "theta", place_of_path_point(i) + ".theta_deg", found);
     for (std::size_t m = 0; m < point.derivatives.size(); ++m) {
-      const std::string here = fmt::format("{}.derivatives[{}]", place_of_point(i), m);
+      const std::string here = fmt::format("{}.derivatives[{}]", place_of_path_point(i), m);
       check_number(point.derivatives[m].point.real(), "x", here + ".x", found);
       check_number(point.derivatives[m].point.imag(), "y", here + ".y", found);
       if (point.derivatives[m].input) check_number(*point.derivatives[m].input, "input", here + ".input", found);
@@ -315,13 +307,13 @@ std::string list_words(const std::vector<std::size_t>& points) {
 Error repeated_point(const PathTask& task, std::size_t i, std::size_t j) {
   if (std::abs(turned(task, j) - turned(task, i)) > pi)
     return {"repeated_after_turn",
-            place_of_point(j),
+            place_of_path_point(j),
             fmt::format("point {} is point {} again after a full turn of the crank; leave it out: a crank that turns "
                         "fully comes back there by itself",
                         j + 1, i + 1),
             {{"i", i + 1}, {"j", j + 1}}};
   return {"repeated_point",
-          place_of_point(j),
+          place_of_path_point(j),
           fmt::format("points {} and {} are the same at the same angle of the crank; leave one out, or give a "
                       "direction of travel (\"derivatives\") at one of them instead",
                       i + 1, j + 1),
@@ -345,7 +337,7 @@ void check_equal_angles(const PathTask& task, std::vector<Error>& found) {
     if (equal.size() == 1) continue;
     const std::string points = list_words(equal);
     return found.push_back({are_whole_turns_apart ? "equal_crank_angles_after_turn" : "equal_crank_angles",
-                            place_of_point(equal[1]) + ".input_deg",
+                            place_of_path_point(equal[1]) + ".input_deg",
                             fmt::format("points {} have the same crank angle{}; a crank that stands takes the point to "
                                         "one place only, so change an angle",
                                         points, are_whole_turns_apart ? ", modulo 360" : ""),
@@ -371,7 +363,7 @@ void check_span(const PathTask& task, const std::vector<std::size_t>& timed, std
     while (before < k && std::fmod(beyond, two_pi) > std::abs(turned(task, timed[before]))) ++before;
     return found.push_back(
         {"more_than_a_turn",
-         place_of_point(j) + ".input_deg",
+         place_of_path_point(j) + ".input_deg",
          fmt::format("the crank passes point {} ({:g}° from point {}, modulo 360) before point {}; order the "
                      "points by crank angle, within one turn",
                      j + 1, angle, timed.front() + 1, timed[before] + 1),
@@ -384,7 +376,7 @@ void check_sequence(const PathTask& task, std::vector<Error>& found) {
   const auto [back, before] = where_it_turns_back(task, timed);
   if (back == 0) return check_span(task, timed, found);
   found.push_back({"crank_reverses",
-                   place_of_point(back) + ".input_deg",
+                   place_of_path_point(back) + ".input_deg",
                    fmt::format("the crank would have to turn back after point {}; order the points by crank angle, all "
                                "rising or all falling within one turn",
                                before + 1),
@@ -396,7 +388,7 @@ void check_rates(const PathTask& task, std::vector<Error>& found) {
   for (std::size_t i = 0; i < task.points.size(); ++i) {
     const auto& derivatives = task.points[i].derivatives;
     if (!task.points[i].input || derivatives.empty() || !derivatives.front().input) continue;
-    const std::string place = place_of_point(i) + ".derivatives[0].input";
+    const std::string place = place_of_path_point(i) + ".derivatives[0].input";
     const double rate = *derivatives.front().input;
     if (std::abs(rate) < tolerance::smallest_direction)
       found.push_back({"crank_at_rest", place,

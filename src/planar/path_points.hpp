@@ -1,0 +1,16 @@
+#pragma once
+
+#include <cstddef>
+#include <string>
+
+#include "linkwright/planar/path_task.hpp"
+
+namespace linkwright {
+
+/// Of a mistake: `task.points[i]`, from 0.
+[[nodiscard]] std::string place_of_path_point(std::size_t point);
+
+/// Largest distance of a point from the first, user's unit; 0 without points.
+[[nodiscard]] double extent_of(const PathTask& task);
+
+}  // namespace linkwright
