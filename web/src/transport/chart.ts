@@ -3,12 +3,12 @@ import UPlot from "uplot";
 import "uplot/dist/uPlot.min.css";
 import {css_values} from "../state/css_values";
 import {fixed, significant} from "../texts/numbers";
+import {bare_axis, bare_plot, title_height} from "./bare_plot";
 import {dial_splits, is_path, round_between, type Dial, type Plot} from "./plot";
 
 type Colors = Record<"ink" | "ink3" | "line" | "grid" | "paper" | "bad" | "good" | "curve", string>;
 const color_names = ["ink", "ink3", "line", "grid", "paper", "bad", "good", "curve"] as const;
-const dot_radius = 3.5,
-  title_height = 14;
+const dot_radius = 3.5;
 
 export interface ChartInput {
   plot: Plot;
@@ -101,19 +101,9 @@ export class Chart {
   }
   private options(): UPlot.Options {
     const font = `11px ${getComputedStyle(this.host).fontFamily}`;
-    const axis = {
-      font,
-      stroke: () => this.colors.ink3,
-      ticks: {show: false},
-      grid: {stroke: () => this.colors.line, width: 1},
-    };
+    const axis = bare_axis(font, () => this.colors);
     return {
-      width: 300,
-      height: 124,
-      legend: {show: false},
-      cursor: {show: false},
-      padding: [title_height + 5, 12, 0, 0],
-      scales: {x: {time: false, auto: false}, y: {auto: false}},
+      ...bare_plot(124, 12),
       axes: [
         {
           ...axis,

@@ -3,13 +3,13 @@ import UPlot from "uplot";
 import "uplot/dist/uPlot.min.css";
 import {css_values} from "../../state/css_values";
 import {significant} from "../../texts/numbers";
+import {bare_axis, bare_plot, title_height} from "../../transport/bare_plot";
 import {round_between} from "../../transport/plot";
 import {plot_left, plot_right, type Effort, type EffortMark, type EffortMarks} from "./effort";
 
 const color_names = ["ink", "ink3", "line", "sunk", "paper", "accent", "curve", "bad", "good"] as const;
 type Colors = Record<(typeof color_names)[number], string>;
-const title_height = 14,
-  dot_radius = 3,
+const dot_radius = 3,
   mark_radius = 5;
 
 /** A demand of a requirement on one of the two curves, or at the end of opening alone. */
@@ -85,19 +85,9 @@ export class EffortChart {
     return [u, needle];
   }
   private options(lines: number): UPlot.Options {
-    const axis = {
-      font: this.font(1),
-      stroke: () => this.colors.ink3,
-      ticks: {show: false},
-      grid: {stroke: () => this.colors.line, width: 1},
-    };
+    const axis = bare_axis(this.font(1), () => this.colors);
     return {
-      width: 300,
-      height: 150,
-      legend: {show: false},
-      cursor: {show: false},
-      padding: [title_height + 5, plot_right, 0, 0],
-      scales: {x: {time: false, auto: false}, y: {auto: false}},
+      ...bare_plot(150, plot_right),
       axes: [
         {
           ...axis,
