@@ -79,6 +79,8 @@ TEST(NearestPathAnswer, TellsTheDistancesThatTurningTheCrankShows) {
     ASSERT_TRUE(found.fit && found.path);
     EXPECT_TRUE(found.verified_by_driving && found.report.defects.none());
     EXPECT_TRUE(found.path->full_turn);
+    EXPECT_EQ(found.report.sweep, two_pi) << "a closed path is run all along";
+    EXPECT_EQ(found.report.min_transmission_angle, found.report.min_transmission_angle_full_turn);
     const std::vector<Point> path = path_by_turning(found.four_bar, found.path->point, 0, two_pi, 20'000);
     double squares = 0, largest = 0;
     ASSERT_EQ(found.fit->at.size(), task.points.size());
