@@ -123,12 +123,12 @@ std::optional<DyadPair> FittedPathFamily::dyad_pair(MapPoint place) const {
   const auto traced = traced_at(place);
   if (!traced) return std::nullopt;
   const FourBar& bars = traced->linkage().bars;
-  const auto link = [&](Point center, Point circle, double coordinate) {
-    return Dyad{Homogeneous::of(frame().to_working(center)), Homogeneous::of(frame().to_working(circle)),
-                std::floor(coordinate) + 0.5};
+  const auto link = [&](Point center, Point circle, Side side, double coordinate) {
+    const double named = axis(side).is_discrete() ? std::floor(coordinate) + 0.5 : coordinate;
+    return Dyad{Homogeneous::of(frame().to_working(center)), Homogeneous::of(frame().to_working(circle)), named};
   };
-  return DyadPair{link(bars.input_fixed, bars.input_moving, place.input),
-                  link(bars.output_fixed, bars.output_moving, place.output)};
+  return DyadPair{link(bars.input_fixed, bars.input_moving, Side::input, place.input),
+                  link(bars.output_fixed, bars.output_moving, Side::output, place.output)};
 }
 
 std::vector<PrescribedPose> FittedPathFamily::user_poses(MapPoint place, const FourBar& /*bars*/) const {

@@ -356,6 +356,8 @@ export interface PathTask {
   tolerance?: number;
   /** The path passes near its points; between them it is free, or keeps to the polyline. */
   between?: "free" | "polyline";
+  /** The path passes near its points; the map runs over the curves that were found, or over the places of the input's ground pivot, each with the nearest path from there. */
+  map?: "curves" | "pivots";
 }
 /** What the linkage is for. */
 export type Task = MotionTask | FunctionTask | SixBarTask | SphericalMotionTask | SphericalFunctionTask | StraightLineTask | PathTask;
@@ -401,6 +403,8 @@ export interface Requirements {
   max_deviation?: number | null;
   /** Paths: the crank turns fully, so that the path is closed. */
   full_turn?: boolean;
+  /** Paths near their points: root mean square of the distances of the points from the path, or the largest of them where that is to be least. */
+  max_path_error?: number | null;
   /** Largest error by tolerances, in their unit: the user's length; of functions and spherical linkages degrees. Needs tolerances; off where it is not given. */
   max_tolerance_error?: number | null;
   /** Least share of sampled linkages that assemble and keep the limit in all positions. Needs tolerances with a limit; off where it is not given. */
