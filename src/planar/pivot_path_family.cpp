@@ -43,8 +43,7 @@ double PivotPathFamily::axis_value(Side side, double tau) const {
 }
 
 std::vector<double> PivotPathFamily::samples(Side side, int count, Spacing spacing) const {
-  constexpr int fewest = 8;
-  return FittedPathFamily::samples(side, std::max(fewest, count / 8), spacing);
+  return FittedPathFamily::samples(side, std::min(count, most_samples_over_pivots), spacing);
 }
 
 Point PivotPathFamily::pivot_at(MapPoint place) const {

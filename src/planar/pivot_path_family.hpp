@@ -28,7 +28,7 @@ class PivotPathFamily : public FittedPathFamily {
   /// Of the known curves, at the ground pivot of the input of each linkage.
   [[nodiscard]] std::vector<MapPoint> known_places() const override { return known_; }
   [[nodiscard]] bool cells_take_long() const override { return true; }
-  /// An eighth of what is asked for: a place takes as long as a hundred of other maps.
+  /// As many as most_samples_over_pivots.
   [[nodiscard]] std::vector<double> samples(Side side, int count, Spacing spacing) const override;
   [[nodiscard]] double distance(const Pivots& one, const Pivots& other) const override;
 

@@ -30,7 +30,7 @@ async function loaded_engine() {
 
 /** Bytes as text. */
 const packed = (bytes) => Buffer.from(deflateSync(bytes, {level: 9})).toString("base64");
-/** What cells fail: two bytes each. */
+/** What cells fail: four bytes each. */
 const packed_bits = (bits) => packed(new Uint8Array(bits.slice().buffer));
 /** Numbers in single precision, which is enough for a picture: column by column, the differences from row to row of their
  *  bits, first all lowest bytes, then the next, for the sake of deflate. */

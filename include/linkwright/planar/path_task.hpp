@@ -81,6 +81,8 @@ enum class NearestMap {
 };
 /// "curves", "pivots".
 [[nodiscard]] std::string_view name(NearestMap map);
+/// Of each axis of a map of pivots: a place takes as long as a hundred of other maps.
+inline constexpr int most_samples_over_pivots = 48;
 
 /// What a path task leaves open, and thereby what its map runs over.
 enum class PathForm {

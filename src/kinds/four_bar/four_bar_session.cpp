@@ -154,6 +154,7 @@ std::vector<double> coordinates_of(const FourBarAnswer& known, const LinkageFami
 
 int live_samples(const PathAnswer& known, int asked) {
   const bool has_layers = known.family() && known.family()->axis(Side::input).layers > 0;
+  if (known.task.map == NearestMap::pivots) return std::min(asked, most_samples_over_pivots);
   return has_layers ? std::min(asked, most_samples_over_arms) : asked;
 }
 
