@@ -51,7 +51,9 @@ BEYOND_SCHEMA = {"repeated_pose", "repeated_pose_a_turn_later", "transmission_an
                  "loads_handle_vertical_in_space", "loads_link_density_without_unit", "loads_no_case_counts",
                  "loads_no_handle", "loads_objective_without_loads", "loads_of_function",
                  "loads_required_without_loads", "loads_rpm_without_unit", "loads_spring_on_itself",
-                 "loads_spring_twice", "loads_torque_by_hand", "loads_free_upside_down", "loads_free_without_case",
+                 "loads_spring_twice", "loads_torque_by_hand", "loads_cylinder_by_hand", "loads_F1_without_free_spring",
+                 "loads_motion_and_rpm", "loads_motion_ends", "loads_motion_order", "loads_motion_turns_back",
+                 "loads_motion_without_unit", "loads_free_upside_down", "loads_free_without_case",
                  "loads_free_without_hand", "loads_two_free_springs", "fit_of_exact_path", "near_path_of_one_place",
                  "near_path_of_two_places", "near_path_without_weight", "path_error_of_motion"}
 

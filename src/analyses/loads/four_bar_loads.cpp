@@ -138,7 +138,7 @@ std::vector<LoadColumn> columns_of(const Loads& loads, std::span<const ReadOut> 
   constexpr float infinite = std::numeric_limits<float>::infinity();
   std::vector<LoadColumn> columns;
   for (const ReadOut read_out : read_outs)
-    columns.push_back({read_out, read_out == ReadOut::max_torque ? metres_of(loads) : measure_unit(read_out),
+    columns.push_back({read_out, read_out == ReadOut::max_torque ? metres_of(loads) : 1,
                        larger_is_worse(read_out) ? infinite : -infinite});
   return columns;
 }
@@ -369,7 +369,7 @@ bool fits_lanes(const Loads& loads, std::size_t positions) {
   const bool is_slow =
       std::all_of(loads.cases.begin(), loads.cases.end(), [](const LoadCase& of) { return of.gas_exponent == 1; });
   const std::size_t stations = (positions - 1) * static_cast<std::size_t>(steps_between(loads.stations, positions)) + 1;
-  return is_linear && is_slow && loads.rpm.value_or(0) == 0 && stations <= LoadRow::most_stations &&
+  return is_linear && is_slow && !has_inertia(loads) && stations <= LoadRow::most_stations &&
          loads.extra.size() + 4 <= LaneLoads::most_forces && loads.springs.size() <= LaneLoads::most_springs;
 }
 
