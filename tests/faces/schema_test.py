@@ -64,7 +64,8 @@ BEYOND_STRUCTURE = ("same", "above the upper", "max_length", "at infinity", "in 
                     "are given and four or five are needed", "add up to", "by rising s", "a tenth of the stroke",
                     "lies on the line", "is where the coupler point is", "above the largest", "keep x within", "are the most that",
                     "turn back after", "against the sense", "and four with one", "is there already", "in position", "half of the stroke",
-                    "shorter than the extended", "at least F1", "is not within 0 to")
+                    "shorter than the extended", "at least F1", "is not within 0 to",
+                    "share 1 at its end", "ascend from point to point")
 
 
 def validator(name):

@@ -326,11 +326,14 @@ class RowsOfLoads {
   /// Of columns; so many more that a kernel may read beyond them.
   [[nodiscard]] std::vector<signed char> senses_of(std::size_t row) const {
     std::vector<signed char> senses(map_.columns() + LoadTables::most_lanes, 0);
-    for (std::size_t column = 0; column < map_.columns(); ++column) {
-      const std::size_t cell = map_.index(row, column);
-      if (map_.type(cell) == LinkageType::degenerate || !map_.defects(cell).none()) continue;
-      senses[column] = map_.drive_sense(row, column) == DriveSense::cw ? -1 : 1;
-    }
+    const std::size_t columns = map_.columns(), first = map_.index(row, 0);
+    const std::span<const std::uint8_t> types = map_.types().subspan(first, columns);
+    const std::span<const std::uint8_t> defects = map_.defects().subspan(first, columns);
+    constexpr auto degenerate = static_cast<std::uint8_t>(LinkageType::degenerate);
+    signed char* const to = senses.data();
+    for (std::size_t column = 0; column < columns; ++column)
+      if (types[column] != degenerate && defects[column] == 0)
+        to[column] = map_.drive_sense(row, column) == DriveSense::cw ? -1 : 1;
     return senses;
   }
   /// What the kernel works out first.
