@@ -109,9 +109,11 @@ struct Plotted {
   Value line, broken;
 };
 
-/// Of the hand; without one of what drives.
+/// Of the hand; without one, or in motion, of what drives.
 Plotted efforts_of(const Loads& loads) {
-  if (loads.handle) return {"Force of the hand: opening ——, closing – – –, N", &LoadStation::open, &LoadStation::close};
+  const bool is_driven = has_inertia(loads) && loads.drive != LoadDrive::hand;
+  if (loads.handle && !is_driven)
+    return {"Force of the hand: opening ——, closing – – –, N", &LoadStation::open, &LoadStation::close};
   if (loads.drive == LoadDrive::cylinder)
     return {"Force of the cylinder, opening without friction, N", &LoadStation::cylinder_force, {}};
   return {fmt::format("Torque of the driving crank, opening without friction, {}", loads.metres ? "N·m" : "N × unit"),
