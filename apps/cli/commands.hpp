@@ -65,13 +65,14 @@ struct ToleranceArguments {
 [[nodiscard]] int tolerance(const ToleranceArguments& arguments);
 
 struct LoadsArguments {
-  std::string result;     ///< path
-  int linkage = 1;        ///< from 1
-  std::string of_case;    ///< one of the cases; empty: all
-  bool balance = false;   ///< also told: what would hold it at rest anywhere
-  std::string boxes;      ///< of springs to be placed: path, or empty
-  std::string catalogue;  ///< of parts for them: path, or empty
-  std::string output;     ///< path ending in .csv, .svg or .json, "-" for JSON on standard output, or empty
+  std::string result;                ///< path
+  int linkage = 1;                   ///< from 1
+  std::string of_case;               ///< one of the cases; empty: all
+  bool balance = false;              ///< also told: what would hold it at rest anywhere
+  std::optional<double> free_share;  ///< of real springs of that balance
+  std::string boxes;                 ///< of springs to be placed: path, or empty
+  std::string catalogue;             ///< of parts for them: path, or empty
+  std::string output;                ///< path ending in .csv, .svg or .json, "-" for JSON on standard output, or empty
 };
 [[nodiscard]] int loads(const LoadsArguments& arguments);
 

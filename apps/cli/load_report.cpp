@@ -43,12 +43,14 @@ std::string pins_table(const LoadStudy& study) {
   for (const std::string_view joint : four_bar_joint_names) heads.emplace_back(joint);
   if (by_torque) heads.push_back("torque, " + torque_unit(study.loads));
   if (study.loads.drive == LoadDrive::cylinder) heads.emplace_back("cylinder, N");
+  if (has_inertia(study.loads)) heads.emplace_back("on the ground, N");
   TextTable table(heads);
   for (const CaseReport& of : study.report.cases) {
     std::vector<std::string> row = {printable(of.name)};
     for (const auto& pin : of.pins) row.push_back(pin ? significant_text(pin->force, force_digits) : "–");
     if (by_torque) row.push_back(number(of.max_torque));
     if (study.loads.drive == LoadDrive::cylinder) row.push_back(number(of.cylinder_force));
+    if (has_inertia(study.loads)) row.push_back(of.shaking ? significant_text(of.shaking->force, force_digits) : "–");
     table.add_row(row);
   }
   return "\nLargest forces of the pins, N:\n" + table.text();
@@ -117,10 +119,47 @@ std::string spring_line(const LoadStudy& study, const BalanceSpring& spring) {
 
 }  // namespace
 
+namespace {
+
+std::string real_spring_line(const LoadStudy& study, const Spring& spring) {
+  const auto& coil = std::get<CoilSpring>(spring.law);
+  const std::string unit = study.length_unit.empty() ? "unit of length" : printable(study.length_unit);
+  return wrapped(fmt::format("  {} N per {}, free length {}, from {} to {}.", significant_text(coil.rate, 5), unit,
+                             significant_text(coil.free_length, 5), stud_words(spring.from), stud_words(spring.to)));
+}
+
+std::string real_balance_words(const LoadStudy& study, const RealBalance& of) {
+  const bool is_one = of.springs.size() == 1;
+  const std::string ends =
+      is_one ? fmt::format("One spring to the {} leaves", name(of.springs.front().to.on)) : "Two springs leave";
+  std::string text =
+      wrapped(fmt::format("{} {} N at most:", ends, significant_text(of.residual_hand_force, force_digits)));
+  for (const Spring& spring : of.springs) text += real_spring_line(study, spring);
+  return text;
+}
+
+/// As near to a balance as springs with a free length come.
+std::string real_springs_words(const LoadStudy& study) {
+  const auto& [of_case, balance, real, why_not] = *study.balance;
+  if (!real) return why_not ? "\n" + wrapped("No springs with a free length: " + why_not->message) : "";
+  const std::string length = real->free_share > 0
+                                 ? fmt::format("of {} of their shortest length", significant_text(real->free_share, 3))
+                                 : "that was given";
+  std::string text = "\n" + wrapped(fmt::format("By springs with a free length {} (the best of many places; the hand "
+                                                "feels {} N at most without any):",
+                                                length, significant_text(real->hand_force_without, force_digits)));
+  if (real->two) text += real_balance_words(study, *real->two);
+  if (real->one) text += real_balance_words(study, *real->one);
+  return real->two || real->one ? text : text + "none helps.\n";
+}
+
+}  // namespace
+
 std::string balance_words(const LoadStudy& study) {
   if (!study.balance)
     return "\n" + wrapped("No balance: a force that turns with its link has no energy to be held in balance.");
-  const auto& [of_case, balance] = *study.balance;
+  const std::string& of_case = study.balance->name;
+  const Balance& balance = study.balance->balance;
   if (balance.two_springs.empty()) return "\n" + wrapped("It is in balance anywhere: there is no weight.");
   const bool one_suffices = balance.two_springs.size() == 1;
   std::string text =
@@ -135,15 +174,23 @@ std::string balance_words(const LoadStudy& study) {
   for (const CounterWeight& weight : balance.counterweights)
     text +=
         wrapped(fmt::format("  {} kg at {}.", significant_text(weight.mass, 5), stud_words({weight.on, weight.at})));
-  return text;
+  return text + real_springs_words(study);
 }
 
 std::optional<std::string> load_score(const Findings& found, std::size_t place) {
   const Measure& by = measure_of(found.options.objective);
   if (place >= found.loads.size() || !found.loads[place]) return "–";
+  const LoadReport& report = *found.loads[place];
+  if (by == measures::best_f1) return number(report.best_f1) + " N";
+  for (const auto& [measure, read_out] :
+       {std::pair{&measures::self_rise, ReadOut::self_rise}, std::pair{&measures::self_close, ReadOut::self_close}})
+    if (by == *measure) {
+      const auto& worst = report.worst_of(read_out);
+      return worst ? angle_text(worst->value, 1) : "never";
+    }
   for (std::size_t k = 0; k < read_outs; ++k)
     if (by.key == read_out_names[k])
-      return in_newtons(found.loads[place]->worst[k]) +
+      return in_newtons(report.worst[k]) +
              (by == measures::max_torque ? " " + torque_unit(*found.options.loads) : " N");
   return "–";
 }

@@ -92,6 +92,11 @@ int loads(const LoadsArguments& arguments) {
   if (!text) return refuse(text.errors());
   LoadChanges changes;
   if (!arguments.of_case.empty()) changes.only_case = arguments.of_case;
+  if (arguments.free_share) changes.real_springs.free_share = *arguments.free_share;
+  if (auto mistakes = mistakes_in(changes.real_springs); !mistakes.empty()) {
+    mistakes.front().place = "--free-share";
+    return refuse(mistakes);
+  }
   const auto study = listed_loads(*text, arguments.linkage, changes);
   if (!study) return refuse(study.errors());
   if (!arguments.output.empty() &&

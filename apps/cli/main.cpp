@@ -161,7 +161,10 @@ void add_loads(CLI::App& app, LoadsArguments& arguments) {
   command->add_option("--linkage", arguments.linkage, "Which linkage of the result, from 1 (default 1, the best)");
   command->add_option("--case", arguments.of_case, "One of the cases of its loads (default: all)");
   command->add_flag("--balance", arguments.balance,
-                    "Also tell the springs or counterweights by which it would rest anywhere");
+                    "Also tell the springs or counterweights by which it would rest anywhere, and the springs with a "
+                    "free length that come nearest to that");
+  command->add_option("--free-share", arguments.free_share,
+                      "The free length of these, by the shortest that they get (0 to 1; default 0.75)");
   CLI::Option* boxes = command->add_option(
       "--place-springs", arguments.boxes,
       "Place the gas spring of this file, its studs within the file's boxes, where the hand needs the least force");

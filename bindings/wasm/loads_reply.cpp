@@ -38,6 +38,10 @@ static void fields(FieldVisitor& v, const LoadCurve& of) {
              column(to, Field("open", "N."), of, [](const auto& s) { return s.open; });
              column(to, "close", of, [](const auto& s) { return s.close; });
              column(to, Field("torque", "N·m, of the driving crank."), of, [](const auto& s) { return s.torque; });
+             column(to, Field("time", "s from position 1, in motion."), of,
+                    [](const auto& s) { return s.motion ? std::optional(s.motion->time) : std::nullopt; });
+             column(to, Field("shaking", "N on the ground, in motion."), of,
+                    [](const auto& s) { return s.motion ? std::optional(std::abs(s.motion->shaking)) : std::nullopt; });
              column(to, Field("pin", "N, the largest of the four while opening."), of, [](const auto& s) {
                std::optional<double> most;
                if (s.joints)

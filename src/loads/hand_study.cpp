@@ -10,12 +10,18 @@ namespace linkwright {
 
 HandStudy::HandStudy(const Loads& loads, const LoadTravel& travel, const Pose& body)
     : cases_(cases_of(loads)), travel_(travel) {
-  for (const LoadCase& each : cases_) bound_.emplace_back(loads, each, travel.first(), body);
+  const auto start = travel.at(0);
+  for (const LoadCase& each : cases_) {
+    bound_.emplace_back(loads, each, travel.first(), body);
+    const auto hand = start ? bound_.back().hand(*start) : std::nullopt;
+    way_.push_back(hand ? hand->way() : 1);
+  }
 }
 
 FoundOrNot<std::vector<HandAt>> HandStudy::at(const LoadedPlace& place) const {
   std::vector<HandAt> found;
-  for (const BoundLoads& bound : bound_) {
+  for (std::size_t c = 0; c < bound_.size(); ++c) {
+    const BoundLoads& bound = bound_[c];
     const auto effort = bound.hand(place);
     const double turned = degrees(place.turn[1]);
     if (!effort)
@@ -25,15 +31,15 @@ FoundOrNot<std::vector<HandAt>> HandStudy::at(const LoadedPlace& place) const {
                                  "force of the hand has a largest value there.",
                                  turned),
                      {{"body_turn_deg", turned}}}};
-    if (effort->rate < 0)
+    const double rate = way_[c] * effort->rate;
+    if (rate < 0)
       return {{},
               Notice{"hand_against",
-                     fmt::format("The handle moves against the hand's direction where the body has turned by {:.1f}°: "
-                                 "the hand would have to pull there and push elsewhere.",
+                     fmt::format("The handle moves the other way along the hand's direction where the body has turned "
+                                 "by {:.1f}°: the hand would have to pull there and push elsewhere.",
                                  turned),
                      {{"body_turn_deg", turned}}}};
-    found.push_back({-bound.resultants(place).power(place) / effort->rate, bound.spring_friction(place) / effort->rate,
-                     1 / effort->rate});
+    found.push_back({-bound.resultants(place).power(place) / rate, bound.spring_friction(place) / rate, 1 / rate});
   }
   return {std::move(found), {}};
 }

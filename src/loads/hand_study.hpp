@@ -20,7 +20,7 @@ struct HandAt {
   double per_power = 0;  ///< by which the power of a spring lessens the force of opening, > 0
 };
 
-/// The hand over a travel in all cases.
+/// The hand over a travel in all cases, told the way that its point goes, whichever way along its line it is given.
 class HandStudy {
  public:
   /// Refers to the travel.
@@ -36,6 +36,7 @@ class HandStudy {
   std::vector<LoadCase> cases_;
   const LoadTravel& travel_;
   std::vector<BoundLoads> bound_;
+  std::vector<double> way_;  ///< by case: −1 where its point begins to go against its direction
 };
 
 /// What stands in the way of any search by the hand's force: no_handle, no_case_counts.

@@ -118,6 +118,14 @@ struct Asked {
   }
 };
 
+/// Of linkages that are looked at in their positions alone a hand that goes along with its point, and nothing that acts
+/// is the pair's.
+LINKWRIGHT_INLINE bool asks_hand_in_tables(const LoadRow& row, const Asked& asked) {
+  const LaneLoads& loads = *row.tables->loads;
+  return row.stations == row.tables->positions && loads.springs == loads.column_springs && !loads.on_coupler &&
+         row.hand_way == LoadRow::tangential && !asked.turns && !asked.drive && !row.hand_forces;
+}
+
 /// What is read off a case at its last station, whatever the curves.
 template <class R>
 struct Ends {

@@ -70,7 +70,30 @@ LINKWRIGHT_INLINE void set_linkages(const LoadRow& row, int at, Linkages<R>& of)
   if (!is_in_tables(row)) set_links<Width>(row, coupler_1, length, of);
 }
 
-/// With the twist (β × h, α × β, α × h), which has no size of its own.
+/// (β × h, α × β, α × h), which has no size of its own.
+template <class R>
+LINKWRIGHT_INLINE void set_twist(const Linkages<R>& of, Station<R>& s) {
+  s.rate_input = of.twist_sense * cross(s.output, s.coupler);
+  s.rate_coupler = of.twist_sense * cross(s.input, s.output);
+  s.rate_output = of.twist_sense * cross(s.input, s.coupler);
+}
+
+/// A station that is a position.
+template <int Width, class R = Real<Width>>
+LINKWRIGHT_INLINE Station<R> station_in_position(const LoadRow& row, const Linkages<R>& of, int j, int at) {
+  const LoadTables& tables = *row.tables;
+  Station<R> s;
+  s.input_fixed = vector_of<R>(row.input_fixed);
+  s.pivot = vector_of<R>(row.input_moving[j]);
+  s.output_fixed = of.output_fixed;
+  s.input = s.pivot - s.input_fixed;
+  s.output = load_vector<Width>(tables.moving(j, 0) + at, tables.stride) - s.output_fixed;
+  s.coupler = s.output - (s.pivot - s.output_fixed);
+  s.turned = vector_of<R>(tables.turned[j]);
+  set_twist(of, s);
+  return s;
+}
+
 template <int Width, class R = Real<Width>>
 LINKWRIGHT_INLINE Station<R> station(const LoadRow& row, const Linkages<R>& of, int j, int at) {
   const LoadTables& tables = *row.tables;
@@ -95,9 +118,7 @@ LINKWRIGHT_INLINE Station<R> station(const LoadRow& row, const Linkages<R>& of, 
     s.coupler = s.output - d;
     s.turned = product(s.coupler, of.unturn);
   }
-  s.rate_input = of.twist_sense * cross(s.output, s.coupler);
-  s.rate_coupler = of.twist_sense * cross(s.input, s.output);
-  s.rate_output = of.twist_sense * cross(s.input, s.coupler);
+  set_twist(of, s);
   return s;
 }
 

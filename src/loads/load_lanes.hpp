@@ -53,6 +53,11 @@ struct Travel {
   }
 
   LINKWRIGHT_INLINE void go() {
+    if constexpr (!W::has_forces)
+      if (asks_hand_in_tables(row, asked)) {
+        pass_by_hand_in_tables();
+        return fold_all();
+      }
     for (int j = 0; j < row.stations; ++j) {
       const Station<R> s = station<Width>(row, of, j, at);
       at_station<Width>(row, of, s, row.position[j], at, acting);
@@ -101,6 +106,34 @@ struct Travel {
       rests[c].drive = rests[c].hand;
       ends[c].drive_checked = ends[c].hand_checked;
       keep_drive(ways, j, c);
+    }
+  }
+  /// What pass_by_hand() keeps, to the last bit, where the hand goes along with its point and all that acts is in
+  /// tables.
+  LINKWRIGHT_INLINE void pass_by_hand_in_tables() {
+    const LoadTables& tables = *row.tables;
+    const bool on_body = tables.loads->column_springs > tables.loads->row_springs;
+    const bool by_column = on_body || tables.loads->on_output;
+    const int count = cases();
+    for (int j = 0; j < row.stations; ++j) {
+      const Station<R> s = station_in_position<Width>(row, of, j, at);
+      W rubbing{};
+      add_tabled_rubbing<Width>(row, s, j, at, rubbing);
+      const Effort<W, R> by = hand<Width, W>(row, of.links, s, j, 0);
+      const R square = by.rate * by.rate;
+      for (int c = 0; c < count; ++c) {
+        W still{};
+        still.add(s, row.acting[j * count + c]);
+        if (by_column) add_column<Width>(row, s, tables.acting(j, c) + at, on_body, j, still);
+        const R open = -(still.all + rubbing.all) * by.over_rate, close = -(rubbing.all - still.all) * by.over_rate;
+        rests[c].hand = j == 0 ? square : smaller(rests[c].hand, square);
+        ends[c].hand_checked = j == 0 ? R(open + close) : R(ends[c].hand_checked + (open + close));
+        keep(c, open_curve, j, open);
+        keep(c, close_curve, j, close);
+        if (j + 1 < row.stations) continue;
+        rests[c].hold = square;
+        ends[c].hold = -open;
+      }
     }
   }
   LINKWRIGHT_INLINE void pass_by_drive(const Station<R>& s, int j) {

@@ -87,7 +87,10 @@ class CaseStudy {
     const bool is_stuck = locks_by_friction(By::drive) || passes_across(By::drive);
     report.locks = is_stuck || (bound_.handle() && passes_across(By::hand));
     if (bound_.handle()) read_hand(report);
-    read_rests(report);
+    if (bound_.is_dynamic())
+      read_shaking(report);
+    else
+      read_rests(report);
     if (!is_stuck) {
       read_pins(report);
       read_drive(report);
@@ -273,8 +276,16 @@ class CaseStudy {
         if (!open || !close) return std::nullopt;
         return std::max(std::abs(open->joints[joint]), std::abs(close->joints[joint]));
       });
-      if (found) report.pins[joint] = PinPeak{found->value, place_at(found->turn)};
+      if (found) report.pins[joint] = ForcePeak{found->value, place_at(found->turn)};
     }
+  }
+
+  void read_shaking(CaseReport& report) const {
+    const auto found = largest(turns_, [&](double turn) -> std::optional<double> {
+      const auto& place = looked(turn).place;
+      return place ? std::optional(std::abs(bound_.shaking_force(*place))) : std::nullopt;
+    });
+    if (found) report.shaking = ForcePeak{found->value, place_at(found->turn)};
   }
 
   void read_drive(CaseReport& report) const {
@@ -361,7 +372,10 @@ LoadStation CaseStudy::station(double turn) const {
     station.springs.push_back(spring ? std::optional(LoadStation::SpringAt{spring->length, spring->force})
                                      : std::nullopt);
   if (const auto driven = push(turn, By::drive, +1)) station.joints = driven->joints;
-  if (bound_.is_dynamic()) station.shaking = bound_.shaking_force(*place);
+  if (bound_.is_dynamic()) {
+    const auto driver = bound_.driver_rates(*place);
+    station.motion = {driver.time, driver.speed, driver.acceleration, bound_.shaking_force(*place)};
+  }
   return station;
 }
 

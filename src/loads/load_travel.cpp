@@ -57,6 +57,8 @@ std::optional<LoadedPlace> LoadTravel::at(double turn) const {
   place.turn = {sense_ * turn, near(there->coupler_angle, known.coupler) - start_.coupler_angle,
                 near(there->output_angle, known.output) - start_.output_angle};
   if (turn == 0) place.turn = {};
+  place.whole = end();
+  place.share = place.whole > 0 ? turn / place.whole : 0;
   const auto twist = twist_of(place.bars, twist_sense_);
   if (!twist) return std::nullopt;
   place.twist = *twist;

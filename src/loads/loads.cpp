@@ -216,6 +216,16 @@ class LoadMistakes {
       range(*loads_.rpm, 0, 1e6, "loads.rpm");
       needs_unit("loads.rpm");
     }
+    if (loads_.motion) motion(*loads_.motion);
+  }
+
+  void motion(const DriverMotion& motion) {
+    if (loads_.rpm)
+      add("motion_and_rpm", "loads.motion",
+          "\"rpm\" and \"motion\" both say how fast the driver goes; give one of them");
+    needs_unit("loads.motion");
+    auto mistakes = mistakes_in(motion);
+    found_.insert(found_.end(), mistakes.begin(), mistakes.end());
   }
 
   void cases() {

@@ -88,7 +88,8 @@ std::optional<std::vector<double>> SpringRows::friction_of_pins(const Spring& kn
     const Push pushed = loaded.push(place, hand, row.sense, PinFrictionModel::exact);
     if (pushed.locks) return std::nullopt;
     const double power = loaded.resultants(place).power(place);
-    added[i] = pushed.effort - (-row.sense * power + loaded.spring_friction(place)) / hand.rate;
+    added[i] = hand.way() * (pushed.effort - (-row.sense * power) / hand.rate) -
+               loaded.spring_friction(place) / std::abs(hand.rate);
   }
   return added;
 }

@@ -155,6 +155,7 @@ BoundLoads::BoundLoads(const Loads& loads, const LoadCase& of, const FourBar& ba
     friction_circle_ = loads.pins->radius * mu / std::sqrt(1 + mu * mu);
   }
   if (loads.rpm) angular_velocity_ = *loads.rpm * two_pi / 60;
+  if (loads.motion) law_.emplace(*loads.motion);
 }
 
 LinkPoint BoundLoads::bound(const CarriedPoint& point) const {
@@ -321,11 +322,15 @@ std::optional<LinkRates> rates_of(const LoadedPlace& place) {
                    {0, dot(r, beta) / dot(quarter_turn * h, beta), -dot(r, h) / dot(quarter_turn * beta, h)}};
 }
 
-Point acceleration(const LoadedPlace& place, const LinkRates& rates, const LinkPoint& point) {
+/// What a point moves by: d²p/dt² = φ̇² d²p/dφ² + φ̈ dp/dφ.
+Point acceleration(const LoadedPlace& place, const LinkRates& rates, const BoundLoads::DriverRates& driver,
+                   const LinkPoint& point) {
   const Point arm_of_point = place.axis(point.link) * point.at;
   const double first = rates.first[at(point.link)], second = rates.second[at(point.link)];
-  const Point own = arm_of_point * Point{-first * first, second};
-  return point.link == Link::coupler ? own - arm(place.bars, Link::input) : own;
+  Point by_square = arm_of_point * Point{-first * first, second};
+  if (point.link == Link::coupler) by_square -= arm(place.bars, Link::input);
+  const Point by_turn = place.velocity(point) / place.twist.input;
+  return driver.speed * driver.speed * by_square + driver.acceleration * by_turn;
 }
 
 }  // namespace
@@ -333,21 +338,34 @@ Point acceleration(const LoadedPlace& place, const LinkRates& rates, const LinkP
 void BoundLoads::add_inertia(const LoadedPlace& place, Resultants& all) const {
   const auto rates = rates_of(place);
   if (!rates) return;
-  const double square = angular_velocity_ * angular_velocity_;
+  const DriverRates driver = driver_rates(place);
   for (const Mass& mass : masses_) {
-    all.add(place, mass.at, -mass.mass * square * metres_ * acceleration(place, *rates, mass.at));
-    all.add_moment(mass.at.link, -mass.inertia * square * rates->second[at(mass.at.link)] / metres_);
+    if (mass.at.link == Link::ground) continue;
+    const std::size_t link = at(mass.at.link);
+    all.add(place, mass.at, -mass.mass * metres_ * acceleration(place, *rates, driver, mass.at));
+    const double turning = driver.speed * driver.speed * rates->second[link] + driver.acceleration * rates->first[link];
+    all.add_moment(mass.at.link, -mass.inertia * turning / metres_);
   }
+}
+
+BoundLoads::DriverRates BoundLoads::driver_rates(const LoadedPlace& place) const {
+  const double sense = place.twist.input < 0 ? -1 : 1;
+  if (!law_) {
+    const double time = angular_velocity_ > 0 ? place.share * place.whole / angular_velocity_ : 0;
+    return {sense * angular_velocity_, 0, time};
+  }
+  const DriverState state = law_->at_share(place.share);
+  return {sense * place.whole * state.speed, sense * place.whole * state.acceleration, state.time};
 }
 
 Point BoundLoads::shaking_force(const LoadedPlace& place) const {
   const auto rates = rates_of(place);
+  const DriverRates driver = driver_rates(place);
   Point sum{};
   for (const Mass& mass : masses_) {
     if (mass.at.link == Link::ground) continue;
     sum += mass.mass * gravity_;
-    if (rates)
-      sum -= mass.mass * angular_velocity_ * angular_velocity_ * metres_ * acceleration(place, *rates, mass.at);
+    if (rates) sum -= mass.mass * metres_ * acceleration(place, *rates, driver, mass.at);
   }
   return sum;
 }

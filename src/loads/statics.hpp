@@ -37,6 +37,7 @@ struct LoadedPlace {
   FourBar bars;
   FourBarTwist twist;
   std::array<double, 3> turn{};  ///< of input, coupler, output from position 1, without jumps, radians
+  double share = 0, whole = 0;   ///< how much of the input's turn over the travel lies behind, and that turn, ≥ 0
 
   [[nodiscard]] Point origin(LinkPoint::Link link) const;
   [[nodiscard]] Point axis(LinkPoint::Link link) const;  ///< unit vector
@@ -130,8 +131,14 @@ class BoundLoads {
   /// By the springs of the loads; nothing of torsion springs.
   [[nodiscard]] std::vector<std::optional<SpringState>> springs(const LoadedPlace& place) const;
 
-  /// The rpm's forces of inertia are among the resultants.
-  [[nodiscard]] bool is_dynamic() const { return angular_velocity_ != 0; }
+  /// Forces of inertia are among the resultants.
+  [[nodiscard]] bool is_dynamic() const { return angular_velocity_ != 0 || law_; }
+  /// Of the input link, counter-clockwise, and the time from position 1; of a place of a travel.
+  struct DriverRates {
+    double speed = 0, acceleration = 0;  ///< rad/s, rad/s²
+    double time = 0;                     ///< s
+  };
+  [[nodiscard]] DriverRates driver_rates(const LoadedPlace& place) const;
   /// Of the linkage on its ground.
   [[nodiscard]] Point shaking_force(const LoadedPlace& place) const;
   /// Cylinder: between its line and the way of its stud, radians in [0, π/2]; nothing without motion.
@@ -183,6 +190,7 @@ class BoundLoads {
   double friction_circle_ = 0;
   double size_ = 1;
   double angular_velocity_ = 0, metres_ = 1;
+  std::optional<TimeLaw> law_;
   bool has_energy_ = true;
 };
 

@@ -16,8 +16,10 @@ void angles_in_degrees(std::span<const float> versines, std::span<float> values)
         versines[i] > 0 ? static_cast<float>(degrees(angle_of_versine(static_cast<double>(versines[i])))) : 0.0F;
 }
 
-void finite_values(std::span<const float> from, std::span<float> values) {
-  for (std::size_t i = 0; i < values.size(); ++i) values[i] = std::isfinite(from[i]) ? from[i] : 0.0F;
+void finite_values(const Measure& measure, std::span<const float> from, std::span<float> values) {
+  for (std::size_t i = 0; i < values.size(); ++i)
+    values[i] =
+        std::isfinite(from[i]) ? static_cast<float>(readable_value(measure, static_cast<double>(from[i]))) : 0.0F;
 }
 
 void sweeps_in_degrees(const RegionMap& map, std::size_t row, std::span<float> values) {
@@ -35,7 +37,14 @@ double versine_of_angle(double angle) {
 }
 
 double readable_value(const Measure& measure, double stored) {
-  return measure.stored == Measure::Stored::as_versine ? degrees(angle_of_versine(stored)) : stored;
+  switch (measure.stored) {
+    case Measure::Stored::as_versine:
+      return degrees(angle_of_versine(stored));
+    case Measure::Stored::as_angle:
+      return degrees(stored);
+    default:
+      return stored;
+  }
 }
 
 void row_values(const RegionMap& map, const Measure& measure, std::size_t row, std::span<float> values) {
@@ -44,7 +53,8 @@ void row_values(const RegionMap& map, const Measure& measure, std::size_t row, s
   const std::span<const float> held = map.values(measure);
   require(!held.empty() || values.empty(), "the map has the measure");
   const std::span<const float> of_row = held.subspan(map.index(row, 0), map.columns());
-  measure.stored == Measure::Stored::as_versine ? angles_in_degrees(of_row, values) : finite_values(of_row, values);
+  if (measure.stored == Measure::Stored::as_versine) return angles_in_degrees(of_row, values);
+  finite_values(measure, of_row, values);
 }
 
 }  // namespace linkwright

@@ -30,6 +30,10 @@ constexpr std::array<ObjectiveRow, static_cast<std::size_t>(Objective::end)> obj
     {Objective::hold_open, "hold_open", "largest hold-open force", &measures::hold_open},
     {Objective::pin_force, "pin_force", "smallest largest force of a pin", &measures::max_pin_force},
     {Objective::torque, "torque", "smallest largest driving torque", &measures::max_torque},
+    {Objective::cylinder_force, "cylinder_force", "smallest largest force of the cylinder", &measures::cylinder_force},
+    {Objective::self_rise, "self_rise", "smallest turn from which it rises by itself", &measures::self_rise},
+    {Objective::self_close, "self_close", "largest turn from which it closes by itself", &measures::self_close},
+    {Objective::best_f1, "best_F1", "smallest F1 of the spring that leaves it free", &measures::best_f1},
     {Objective::path_error, "path_error", "smallest distance from the points", &measures::path_error},
 }};
 

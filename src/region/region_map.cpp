@@ -140,15 +140,17 @@ double RegionMap::min_transmission_angle(std::size_t cell) const {
   return angle_of_versine(values(measures::min_transmission_angle)[cell]);
 }
 
-bool RegionMap::pair_decides_sense(const DriverTravel& driver) {
+static bool decided_by_pair(const DriverTravel& driver) {
   return driver.admissible_directions == (DriverTravel::ccw | DriverTravel::cw) && driver.sweep_ccw > 0;
 }
+
+bool RegionMap::pair_decides_sense(const DriverTravel& driver) { return decided_by_pair(driver); }
 
 DriveSense RegionMap::drive_sense(std::size_t row, std::size_t column) const {
   const std::size_t cell = index(row, column);
   if (drivers_.empty() || type(cell) == LinkageType::degenerate || !defects(cell).none()) return DriveSense::none;
   const DriverTravel& own = driver(row, column);
-  const bool by_pair = pair_decides_sense(own) && !cell_directions_.view().empty();
+  const bool by_pair = decided_by_pair(own) && !cell_directions_.view().empty();
   const unsigned admissible_directions = by_pair ? cell_directions_[cell] : own.admissible_directions;
   return linkwright::drive_sense(admissible_directions & DriverTravel::ccw, admissible_directions & DriverTravel::cw);
 }

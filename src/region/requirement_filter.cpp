@@ -30,9 +30,8 @@ double rounded(double exact, bool upwards) {
 }  // namespace
 
 double RequirementFilter::Bound::value(std::size_t cell) const {
-  if (measure.stored == Measure::Stored::as_versine)
-    return degrees(angle_of_versine(static_cast<double>(values[cell])));
-  return static_cast<double>(per.empty() ? values[cell] : values[cell] / per[cell]);
+  if (!per.empty()) return static_cast<double>(values[cell] / per[cell]);
+  return readable_value(measure, static_cast<double>(values[cell]));
 }
 
 RequirementFilter::RequirementFilter(const RegionMap& map, const Requirements& requirements,

@@ -1,5 +1,7 @@
 #include <algorithm>
 #include <cmath>
+#include <filesystem>
+#include <functional>
 #include <gtest/gtest.h>
 #include <limits>
 
@@ -8,6 +10,8 @@
 #include "linkwright/loads/load_report.hpp"
 #include "linkwright/planar/task_family.hpp"
 #include "linkwright/region/region_map.hpp"
+#include "linkwright/region/requirement_filter.hpp"
+#include "linkwright/synthesis/solve.hpp"
 #include "loads/cell_loads.hpp"
 #include "loads/free_strength.hpp"
 #include "support/draws.hpp"
@@ -117,7 +121,7 @@ TEST(LoadMeasures, AreTheSameInPacksAsOneByOne) {
           const ReadOut read_out = read_out_of(measure).value();
           const auto alone = CellLoads(loads, output, CellLook::map).read_out(read_out);
           if (!alone || std::abs(*alone) > 1e5) continue;
-          const double expected = measure_unit(read_out) * *alone;
+          const double expected = *alone;
           EXPECT_NEAR(values[cell], expected, 1e-4 + 1e-6 * std::abs(expected)) << measure.key << " " << cell;
           ++compared;
         }
@@ -143,7 +147,7 @@ TEST(LoadMeasures, AreNearThoseOfListsWhereASearchLooks) {
       if (read_out == ReadOut::hand_force_error) continue;  // of the stations of a map
       const auto& worst = report.worst_of(read_out);
       if (!worst || std::abs(worst->value) > 1e4) continue;
-      const double listed = measure_unit(read_out) * worst->value;
+      const double listed = worst->value;
       EXPECT_NEAR(each.measure->at(of.place(row, column)).value(), listed, each.margin_of(listed))
           << each.measure->measure().key;
     }
@@ -177,9 +181,8 @@ std::vector<MapAndList> in_map_and_list(const Loads& loads, const Measure& measu
     const auto report = load_report(loads, output.positions.front().bars, poses).value();
     const ReadOut read_out = read_out_of(measure).value();
     const auto listed = read_out == ReadOut::best_f1 ? report.best_f1
-                        : report.worst_of(read_out)
-                            ? std::optional(measure_unit(read_out) * report.worst_of(read_out)->value)
-                            : std::nullopt;
+                        : report.worst_of(read_out)  ? std::optional(report.worst_of(read_out)->value)
+                                                     : std::nullopt;
     if (listed && std::abs(*listed) < 1e3 && std::isfinite(values[cell]))
       found.push_back({values[cell], *listed, errors[cell]});
   }
@@ -252,8 +255,87 @@ TEST(LoadMeasures, TellTheTurnsThatListsFind) {
     loads.cases.resize(1);
     const auto all = in_map_and_list(loads, measure);
     ASSERT_GT(all.size(), 20U) << measure.key;
-    EXPECT_GT(share_within(all, [](const auto& of) { return std::abs(of.of_map - of.listed) <= 1; }), 0.9)
+    EXPECT_GT(share_within(all, [](const auto& of) { return std::abs(of.of_map - of.listed) <= radians(1); }), 0.9)
         << measure.key;
+  }
+}
+
+/// A requirement on a column of loads, and loads that give it values.
+struct Required {
+  RequirementKind kind;
+  const Measure* measure;
+  Loads loads;
+};
+std::vector<Required> required() {
+  Loads freely = everything(LoadDrive::cylinder);
+  freely.pins.reset();
+  freely.cases.resize(1);
+  Loads free = with_free_struts();
+  return {{RequirementKind::max_cylinder_force, &measures::cylinder_force, freely},
+          {RequirementKind::max_self_rise, &measures::self_rise, freely},
+          {RequirementKind::min_self_close, &measures::self_close, freely},
+          {RequirementKind::max_best_f1, &measures::best_f1, free}};
+}
+
+// A limit in the middle of what the map tells, as files have it, parts the linkages without defects as their numbers
+// do.
+TEST(LoadMeasures, AreRequiredAsTheMapTellsThem) {
+  for (const auto& [kind, measure, loads] : required()) {
+    LoadedMap of(40);
+    column_of(of, loads, *measure);
+    const Criterion& asked = criterion(kind);
+    Requirements wanted;
+    wanted.max_link_ratio = Requirements::unlimited;
+    wanted.max_length = Requirements::unlimited;
+    const RequirementFilter all_else = filter_of(*of.given.family, of.map, wanted);
+    std::vector<double> told;
+    for (std::size_t row = 0; row < of.map.rows(); ++row) {
+      std::vector<float> values(of.map.columns());
+      row_values(of.map, *measure, row, values);
+      for (std::size_t column = 0; column < values.size(); ++column)
+        if (all_else.failures(row, column) == 0 && std::isfinite(of.map.values(*measure)[of.map.index(row, column)]))
+          told.push_back(values[column]);
+    }
+    ASSERT_GT(told.size(), 50U) << asked.key;
+    std::sort(told.begin(), told.end());
+    // Between two different numbers.
+    std::size_t k = told.size() / 2;
+    while (k + 1 < told.size() && told[k + 1] - told[k] <= 1e-3 * std::abs(told[k])) ++k;
+    ASSERT_LT(k + 1, told.size()) << asked.key;
+    const double limit = (told[k] + told[k + 1]) / 2;
+    asked.set(wanted, asked.is_angle() ? radians(limit) : limit);
+    const RequirementFilter filter = filter_of(*of.given.family, of.map, wanted);
+    const auto below = static_cast<std::int64_t>(k + 1), all = static_cast<std::int64_t>(told.size());
+    EXPECT_EQ(filter.census().meeting, asked.rule == Criterion::Rule::at_most ? below : all - below) << asked.key;
+  }
+}
+
+// What is listed keeps the limit that was asked for by what its report tells.
+TEST(LoadMeasures, AreKeptByWhatIsListed) {
+  struct Asked {
+    const char* key;
+    double limit, sign;
+    std::function<double(const LoadReport& report)> told;
+  };
+  const auto worst = [](ReadOut read_out) {
+    return [read_out](const LoadReport& report) { return degrees(report.worst_of(read_out).value().value); };
+  };
+  const std::vector<Asked> all = {
+      {"max_self_rise_deg", 12, 1, worst(ReadOut::self_rise)},
+      {"min_self_close_deg", 10, -1, worst(ReadOut::self_close)},
+      {"max_best_F1", 330, 1, [](const LoadReport& report) { return report.best_f1.value(); }}};
+  for (const auto& [key, limit, sign, told] : all) {
+    json file = json::parse(testing::text_of(std::filesystem::path(LINKWRIGHT_EXAMPLES_DIR) / "tailgate_struts.json"),
+                            nullptr, true, true);
+    file["requirements"] = {{"no_defects", true}, {key, limit}};
+    file["options"] = {{"region_samples", 40}, {"objective", "hand_force"}};
+    file["loads"]["cases"] = {{{"name", "room"}}};
+    if (std::string(key) == "min_self_close_deg") file["loads"]["cases"][0]["spring_percent"] = 20;
+    if (std::string(key) == "max_best_F1") file["loads"]["springs"][0]["best_F1"] = {{"max_F1", 900}};
+    const Answer answer = solve(read_problem(file.dump()).value()).value();
+    const Findings& found = findings(answer);
+    EXPECT_FALSE(found.loads.empty()) << key;
+    for (const auto& report : found.loads) EXPECT_LE(sign * told(report.value()), sign * limit + 1e-9) << key;
   }
 }
 

@@ -77,6 +77,48 @@ class LoadsTest(FaceTest):
         self.assertEqual(run("loads", result, "-o", picture)[0], 0)
         xml.etree.ElementTree.parse(picture)
 
+    def test_a_motion_is_told_in_time(self):
+        loads = load(ROOT / "examples/tailgate_struts.json")["loads"]
+        loads |= {"drive": "input", "motion": {"law": "cycloid", "duration_s": 0.9}}
+        problem = load(ROOT / "examples/tailgate_struts.json") | {
+            "loads": loads, "options": {"region_samples": 60}, "requirements": {"min_transmission_angle_deg": 30}}
+        result, table, picture = (self.folder / f"moving.{end}" for end in ("result", "csv", "svg"))
+        self.assertEqual(run("solve", self.write("moving.json", json.dumps(problem)), "-o", result)[0], 0)
+        case = json.loads(result.read_text())["linkages"][0]["loads"]["cases"][0]
+        self.assertEqual((case["equilibria"], case["rests"]), ([], []))
+        self.assertIn("on the ground, N", run("loads", result, "-o", table)[1])
+        own = [row for row in csv.DictReader(table.read_text(encoding="utf-8").splitlines()) if row["case"] == case["name"]]
+        times = [float(row["time_s"]) for row in own]
+        self.assertEqual((times[0], round(times[-1], 9)), (0, 0.9))
+        self.assertEqual(times, sorted(times))
+        shaking = [math.hypot(float(row["shaking.x_N"]), float(row["shaking.y_N"])) for row in own]
+        self.assertLessEqual(max(shaking), case["shaking"]["max"] + 1e-6)
+        self.assertAlmostEqual(float(own[0]["driver_rad_per_s"]), 0)
+        self.assertEqual(run("loads", result, "-o", picture)[0], 0)
+        self.assertIn("Force on the ground", picture.read_text(encoding="utf-8"))
+
+    def test_a_balance_by_real_springs_leaves_what_it_says(self):
+        result, report = self.solved(region_samples=60), self.folder / "balance.json"
+        words = run("loads", result, "--balance", "--free-share", "0.6", "-o", report)[1]
+        self.assertIn("a free length of 0.6 of their shortest length", " ".join(words.split()))
+        told = json.loads(report.read_text())
+        real = told["balance"]["real_springs"]
+        self.assertEqual(real["free_share"], 0.6)
+        problem = json.loads(result.read_text())["problem"]
+        problem["loads"] |= {"springs": real["one"]["springs"], "cases": problem["loads"]["cases"][:1]}
+        del problem["loads"]["pins"]
+        problem["requirements"] = {}
+        place = json.loads(result.read_text())["linkages"][0]
+        problem["options"] = {"region_samples": 60, "at": [place["input"]["coordinate"], place["output"]["coordinate"]]}
+        again = self.folder / "again.json"
+        self.assertEqual(run("solve", self.write("balanced.json", json.dumps(problem)), "-o", again)[0], 0)
+        worst = json.loads(again.read_text())["linkages"][0]["loads"]["worst"]
+        self.assertAlmostEqual(worst["hand_force"]["value"], real["one"]["residual_hand_force"], places=5)
+        self.assertLess(real["one"]["residual_hand_force"], real["hand_force_without"] / 10)
+        status, _, error = run("loads", result, "--balance", "--free-share", "2")
+        self.assertEqual(status, 2)
+        self.assertIn("--free-share", error)
+
     def test_springs_are_placed_and_proven(self):
         result = self.solved(region_samples=80)
         boxes, parts = ROOT / "examples/springs/tailgate_boxes.json", ROOT / "examples/springs/catalogue.json"

@@ -118,11 +118,15 @@ def problems_with_everything():
              "handle": {"point": [-5, -70], "direction": {"fixed_deg": 135}}, "springs": springs,
              "pins": {"radius": 6, "friction": 0.15}, "drive": "input", "rpm": 30, "cases": [case, {"name": "room"}], "stations": 13}
     yield "loads", problem(tailgate, length_unit="mm", loads=loads, requirements={
-        "max_open_force": 60, "max_close_force": 90, "min_hold_open": -5, "max_pin_force": 2000, "max_torque": 50})
+        "max_open_force": 60, "max_close_force": 90, "min_hold_open": -5, "max_pin_force": 2000, "max_torque": 50,
+        "max_self_rise_deg": 40, "min_self_close_deg": 10})
     by_cylinder = {"handle": {"point": [-5, -70], "direction": "vertical"}, "drive": {"cylinder": stud}}
-    yield "loads by a cylinder", problem(tailgate, length_unit="mm", loads=by_cylinder)
+    yield "loads by a cylinder", problem(tailgate, length_unit="mm", loads=by_cylinder, requirements={"max_cylinder_force": 900})
+    for motion in ({"law": "3-4-5", "duration_s": 2}, {"law": "trapezoid", "duration_s": 2, "ramp": 0.2},
+                   {"table": [[0, 0], [1, 0.4], [2.5, 1]]}):
+        yield "a motion", problem(tailgate, length_unit="mm", loads=by_cylinder | {"motion": motion})
     yield "a free strength", problem(tailgate, length_unit="mm", loads={"body": loads["body"], "handle": loads["handle"], "springs": [
-        gas | {"best_F1": {"max_F1": 900, "min_F1": 100, "min_hold_open": 5}}]})
+        gas | {"best_F1": {"max_F1": 900, "min_F1": 100, "min_hold_open": 5}}]}, requirements={"max_best_F1": 800})
     yield "angles", problem(tailgate, tolerances=tolerances | {
         "length": {key: 0.1 for key in ("input", "coupler", "output", "ground_pivots", "point")}, "limit": {"angle_deg": 1}})
     yield "pareto", problem(tailgate, {"pareto": ["link_ratio", "size"], "best": 2})

@@ -51,7 +51,9 @@ BEYOND_SCHEMA = {"repeated_pose", "repeated_pose_a_turn_later", "transmission_an
                  "loads_handle_vertical_in_space", "loads_link_density_without_unit", "loads_no_case_counts",
                  "loads_no_handle", "loads_objective_without_loads", "loads_of_function",
                  "loads_required_without_loads", "loads_rpm_without_unit", "loads_spring_on_itself",
-                 "loads_spring_twice", "loads_torque_by_hand", "loads_free_upside_down", "loads_free_without_case",
+                 "loads_spring_twice", "loads_torque_by_hand", "loads_cylinder_by_hand", "loads_F1_without_free_spring",
+                 "loads_motion_and_rpm", "loads_motion_ends", "loads_motion_order", "loads_motion_turns_back",
+                 "loads_motion_without_unit", "loads_free_upside_down", "loads_free_without_case",
                  "loads_free_without_hand", "loads_two_free_springs", "fit_of_exact_path", "near_path_of_one_place",
                  "near_path_of_two_places", "near_path_without_weight", "path_error_of_motion", "near_path_pivot_at_a_point", "near_path_pivots_at_one_place"}
 
@@ -62,7 +64,8 @@ BEYOND_STRUCTURE = ("same", "above the upper", "max_length", "at infinity", "in 
                     "are given and four or five are needed", "add up to", "by rising s", "a tenth of the stroke",
                     "lies on the line", "is where the coupler point is", "above the largest", "keep x within", "are the most that",
                     "turn back after", "against the sense", "and four with one", "is there already", "in position", "half of the stroke",
-                    "shorter than the extended", "at least F1", "is not within 0 to")
+                    "shorter than the extended", "at least F1", "is not within 0 to",
+                    "share 1 at its end", "ascend from point to point")
 
 
 def validator(name):

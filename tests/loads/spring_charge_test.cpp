@@ -8,6 +8,7 @@
 #include "linkwright/core/angle.hpp"
 #include "linkwright/loads/load_report.hpp"
 #include "loads/line_envelope.hpp"
+#include "loads/load_travel.hpp"
 #include "loads/small_program.hpp"
 #include "support/load_cases.hpp"
 
@@ -133,13 +134,28 @@ TEST(Charge, SaysWhatIsInConflict) {
   EXPECT_EQ(best(of, {.min_hold_open = 13, .max_f1 = 100}).why_not->code, "demands_conflict");
 }
 
+// Whichever way along its line a hand is given.
+TEST(Charge, IsTheSameForAHandGivenTheOtherWayRound) {
+  Asked of = asked("tailgate_friction");
+  of.of.loads.handle->direction = Handle::Direction::fixed;
+  of.of.loads.handle->angle = radians(110);
+  const SpringCharge with_it = best(of, {}).found.value();
+  of.of.loads.handle->angle += pi;
+  const SpringCharge against = best(of, {}).found.value();
+  EXPECT_NEAR(with_it.best, against.best, 1e-9 * with_it.best);
+  EXPECT_NEAR(with_it.max_hand_force, against.max_hand_force, 1e-9 * with_it.max_hand_force);
+}
+
 TEST(Charge, SaysWhyThereIsNone) {
   Asked of = asked("tailgate_gas");
   std::get<GasSpring>(of.spring.law).stroke = 60;
   EXPECT_EQ(best(of, {}).why_not->code, "spring_stroke");
   of = asked("tailgate_gas");
+  const auto travel = LoadTravel::of(of.of.bars, of.of.poses).value();
+  const LoadedPlace middle = travel.at(0.4 * travel.end()).value();
+  const BoundLoads bound(of.of.loads, LoadCase{}, of.of.bars, of.of.poses.front().pose);
   of.of.loads.handle->direction = Handle::Direction::fixed;
-  of.of.loads.handle->angle = radians(-90);
+  of.of.loads.handle->angle = std::arg(middle.velocity(*bound.handle())) + pi / 2;
   EXPECT_EQ(best(of, {}).why_not->code, "hand_against");
   of.of.loads.handle.reset();
   EXPECT_EQ(best(of, {}).why_not->code, "no_handle");

@@ -123,6 +123,22 @@ def test_loads_are_those_of_the_program(tmp_path: Path) -> None:
     assert list(answer.loads(answer.linkages[0], case="hot")["curves"]) == ["hot"]
     with pytest.raises(lw.ProblemError, match="warm"):
         answer.loads(case="warm")
+    real = answer.loads(free_share=0.5)["balance"]["real_springs"]
+    assert real["free_share"] == 0.5
+    assert real["one"]["residual_hand_force"] < real["hand_force_without"]
+
+
+def test_loads_in_motion_are_told_in_time() -> None:
+    problem = uncommented(EXAMPLES / "tailgate_struts.json")
+    problem |= {"requirements": {"min_transmission_angle_deg": 30}, "options": {"region_samples": 60}}
+    problem["loads"] |= {"drive": "input", "motion": {"table": [[0, 0], [0.6, 0.4], [1.5, 1]]}}
+    found = lw.solve(problem).loads()
+    room = found["curves"]["room"]
+    assert room["time_s"][[0, -1]] == pytest.approx([0, 1.5])
+    assert np.all(np.diff(room["time_s"]) > 0)
+    shaking = np.hypot(room["shaking.x_N"], room["shaking.y_N"])
+    assert shaking.max() <= found["cases"][0]["shaking"]["max"] * (1 + 1e-9)
+    assert found["worst"]["max_torque"]["value"] >= np.abs(room["torque_Nm"]).max() * (1 - 1e-9)
 
 
 def test_springs_are_placed_as_the_program_places_them(tmp_path: Path) -> None:

@@ -147,6 +147,17 @@ Json drawn_cylinder(Draw& draw, const Body& body) {
             {"to", {{"on", to}, {"at", drawn_center(draw, body)}}}}}};
 }
 
+/// Within some seconds; slow enough for its speeds to be those of machines.
+Json drawn_motion(Draw& draw) {
+  const double duration = draw.power_of_ten(-0.5, 1);
+  const int form = draw.whole(0, 4);
+  if (form == 0)
+    return {{"table", {{0, 0}, {duration * draw.between(0.4, 0.6), draw.between(0.4, 0.6)}, {duration, 1}}}};
+  Json motion = {{"law", draw.one_of({"uniform", "trapezoid", "cycloid", "3-4-5"})}, {"duration_s", duration}};
+  if (motion["law"] == "trapezoid" && draw.chance(0.5)) motion["ramp"] = draw.between(0.05, 0.5);
+  return motion;
+}
+
 /// Each linkage has the best strength of one of the gas springs.
 void leave_strength_free(Draw& draw, Json& springs) {
   for (Json& spring : springs) {
@@ -176,6 +187,7 @@ Json drawn_loads(Draw& draw, const Body& body, bool has_unit) {
     loads["pins"] = {{"radius", body.scale * draw.power_of_ten(-4, -1)}, {"friction", draw.between(0, 0.4)}};
   if (draw.chance(0.7)) loads["cases"] = drawn_cases(draw, has_extra);
   if (draw.chance(0.3)) loads["stations"] = draw.whole(4, 30);
+  if (has_unit && draw.chance(0.15)) loads["motion"] = drawn_motion(draw);
   return loads;
 }
 
@@ -191,6 +203,18 @@ void add_what_goes_by_them(Draw& draw, const Json& loads, Json& problem) {
     if (draw.chance(0.25)) wanted["max_open_force"] = about();
     if (draw.chance(0.25)) wanted["max_close_force"] = about();
     if (draw.chance(0.2)) wanted["min_hold_open"] = draw.between(-1, 0.2) * weight;
+    if (draw.chance(0.15)) wanted["max_self_rise_deg"] = draw.between(0, 90);
+    if (draw.chance(0.1)) wanted["min_self_close_deg"] = draw.between(0, 30);
+    if (draw.chance(0.3)) objectives.push_back(draw.one_of({"self_rise", "self_close"}));
+  }
+  const auto& springs = loads["springs"];
+  if (std::any_of(springs.begin(), springs.end(), [](const Json& spring) { return spring.contains("best_F1"); })) {
+    objectives.push_back("best_F1");
+    if (draw.chance(0.3)) wanted["max_best_F1"] = 5 * about();
+  }
+  if (loads.contains("drive") && loads["drive"].is_object()) {
+    objectives.push_back("cylinder_force");
+    if (draw.chance(0.3)) wanted["max_cylinder_force"] = 3 * about();
   }
   if (loads.contains("drive") && loads["drive"].is_string()) {
     objectives.push_back("torque");

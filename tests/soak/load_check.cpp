@@ -203,22 +203,28 @@ void check_limits(const json& wanted, const json& worst, Wrongs& wrongs) {
   check("max_pin_force", "max_pin_force", 1);
   check("max_torque", "max_torque", 1);
   check("min_hold_open", "hold_open", -1);
+  check("max_cylinder_force", "cylinder_force", 1);
+  check("max_self_rise_deg", "self_rise", 1);
+  if (wanted.value("min_self_close_deg", 0.0) > 0) check("min_self_close_deg", "self_close", -1);
 }
 
 std::optional<double> worth_by_loads(const json& entry, const std::string& objective) {
-  const bool hold = objective == "hold_open";
-  const char* read_out = objective == "pin_force" ? "max_pin_force"
-                         : objective == "torque"  ? "max_torque"
-                         : hold                   ? "hold_open"
-                                                  : "hand_force";
-  if (entry["loads"].is_null() || !entry["loads"]["worst"].contains(read_out)) return std::nullopt;
+  if (entry["loads"].is_null()) return std::nullopt;
+  if (objective == "best_F1")
+    return entry["loads"].contains("best_F1") ? std::optional(-entry["loads"]["best_F1"].get<double>()) : std::nullopt;
+  const bool most = objective == "hold_open" || objective == "self_close";
+  const std::string read_out = objective == "pin_force" ? "max_pin_force"
+                               : objective == "torque"  ? "max_torque"
+                                                        : objective;
+  if (!entry["loads"]["worst"].contains(read_out)) return std::nullopt;
   const double value = entry["loads"]["worst"][read_out]["value"];
-  return hold ? value : -value;
+  return most ? value : -value;
 }
 
 void check_order_by_loads(const json& options, const json& linkages, Wrongs& wrongs) {
   const std::string objective = options.value("objective", "");
-  constexpr std::array by_loads = {"hand_force", "hold_open", "pin_force", "torque"};
+  constexpr std::array by_loads = {"hand_force", "hold_open", "pin_force",  "torque",
+                                   "best_F1",    "self_rise", "self_close", "cylinder_force"};
   if (options.contains("pareto") || std::find(by_loads.begin(), by_loads.end(), objective) == by_loads.end()) return;
   double before = INFINITY;
   for (const json& entry : linkages) {
@@ -258,7 +264,7 @@ std::vector<std::string> wrongs_of_loads(const Problem& problem, const Answer& a
     for (std::size_t k = 0; k < cases.size(); ++k) {
       check_peaks(study.report.cases[k], study.curves[k], along_the_way, wrongs);
       if (bottoms(study.report.cases[k])) continue;
-      if (loads->drive != LoadDrive::output && !is_by_dead_point(entry))
+      if (loads->drive != LoadDrive::output && !is_by_dead_point(entry) && !has_inertia(*loads))
         check_work(cases[k], study.curves[k], sense, wrongs);
       if (const auto* motion = std::get_if<MotionTask>(&problem.task); motion && !motion->relaxed)
         check_energy(study.loads, cases[k], study.curves[k], entry, motion->poses, wrongs);

@@ -144,16 +144,21 @@ class Answer:
         text, svg = _linkwright.tolerance(self._result_text(), number, length, samples, seed)
         return record_of(json.loads(text)["tolerance"], lambda: svg)
 
-    def loads(self, linkage: Linkage | int = 1, *, case: str | None = None) -> Record:
+    def loads(
+        self, linkage: Linkage | int = 1, *, case: str | None = None, free_share: float | None = None
+    ) -> Record:
         """The forces in a linkage from position 1 to the last one, by the ``loads`` of the problem.
 
         Args:
             linkage: one of :attr:`linkages`, or its number, from 1.
             case: one of the cases; all where it is not given.
+            free_share: of the real springs of the balance the free length, by the shortest that they get, in [0, 1];
+                0.75 where it is not given.
 
         Returns:
-            The ``report`` of ``linkwright loads -o``, and ``curves``: by case a dict of arrays, one value a station,
-            under the names of its table (``body_turn_deg``, ``open_N``, ``close_N``, …; NaN where there is none).
+            The ``report`` of ``linkwright loads -o``, its ``balance`` (None where a force turns with its link), and
+            ``curves``: by case a dict of arrays, one value a station, under the names of its table
+            (``body_turn_deg``, ``open_N``, ``close_N``, …, in motion ``time_s``; NaN where there is none).
             ``_repr_svg_()`` draws it.
 
         Raises:
@@ -161,8 +166,9 @@ class Answer:
                 in order without a dead point.
         """
         number = linkage.number if isinstance(linkage, Linkage) else linkage
-        text, table, svg = _linkwright.loads(self._result_text(), number, case)
-        report = json.loads(text)["report"]
+        text, table, svg = _linkwright.loads(self._result_text(), number, case, free_share)
+        study = json.loads(text)
+        report = study["report"] | {"balance": study["balance"]}
         report["curves"] = _curves_of(table)
         return record_of(report, lambda: svg)
 

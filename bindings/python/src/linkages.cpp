@@ -91,8 +91,11 @@ std::pair<std::string, std::string> tolerance(const std::string& result, int lin
 
 /// Report, curves as a table, picture.
 std::tuple<std::string, std::string, std::string> loads(const std::string& result, int linkage,
-                                                        const std::optional<std::string>& of_case) {
-  const LoadStudy study = value_of(listed_loads(result, linkage, {of_case}));
+                                                        const std::optional<std::string>& of_case,
+                                                        const std::optional<double>& free_share) {
+  LoadChanges changes{of_case, {}};
+  if (free_share) changes.real_springs.free_share = *free_share;
+  const LoadStudy study = value_of(listed_loads(result, linkage, changes));
   return {write_load_study(study), load_table(study), draw_loads(study)};
 }
 
@@ -176,8 +179,9 @@ void bind_linkages(py::module_& module) {
     return without_gil([&] { return tolerance(result, linkage, length, samples, seed); });
   });
   module.def("place_spring", &place_spring);
-  module.def("loads", [](const std::string& result, int linkage, const std::optional<std::string>& of_case) {
-    return without_gil([&] { return loads(result, linkage, of_case); });
+  module.def("loads", [](const std::string& result, int linkage, const std::optional<std::string>& of_case,
+                         const std::optional<double>& free_share) {
+    return without_gil([&] { return loads(result, linkage, of_case, free_share); });
   });
 }
 

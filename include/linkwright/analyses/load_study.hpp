@@ -11,6 +11,7 @@
 #include "linkwright/loads/balance.hpp"
 #include "linkwright/loads/load_report.hpp"
 #include "linkwright/loads/loads.hpp"
+#include "linkwright/loads/real_balance.hpp"
 #include "linkwright/synthesis/answer.hpp"
 #include "linkwright/synthesis/solve.hpp"
 
@@ -20,6 +21,8 @@ namespace linkwright {
 struct BalanceOfCase {
   std::string name;
   Balance balance;
+  std::optional<RealBalances> real;    ///< as near to it as springs with a free length come, of listed_loads() only
+  std::optional<Notice> why_not_real;  ///< there is none
 };
 
 /// One linkage listed, what acts on it, what that does, and its curves.
@@ -36,6 +39,7 @@ struct LoadStudy {
 /// What is asked otherwise than the problem says: one of its cases alone.
 struct LoadChanges {
   std::optional<std::string> only_case;
+  RealBalanceOptions real_springs;  ///< how such a balance is sought
 };
 
 /// What loads do to one linkage of a result file: `text`; `linkage` from 1. The caller's mistakes: those of

@@ -36,8 +36,8 @@ struct RestBand {
   LoadPlace from, to;
 };
 
-/// The largest force of a joint, opening or closing.
-struct PinPeak {
+/// The largest force of a joint, opening or closing; of the linkage on its ground, in motion.
+struct ForcePeak {
   double force = 0;
   LoadPlace at;
 };
@@ -60,9 +60,10 @@ struct CaseReport {
   std::optional<double> max_open_force, max_close_force, hold_open, close_start, hump, pop_up;
   std::optional<LoadPlace> self_rise;   ///< from here on it opens by itself; nothing: not
   std::optional<LoadPlace> self_close;  ///< from here down it closes by itself; nothing: not
-  std::vector<Equilibrium> equilibria;
-  std::vector<RestBand> rests;  ///< only with friction
-  std::array<std::optional<PinPeak>, four_bar_joints> pins;
+  std::vector<Equilibrium> equilibria;  ///< none in motion
+  std::vector<RestBand> rests;          ///< only with friction, none in motion
+  std::array<std::optional<ForcePeak>, four_bar_joints> pins;
+  std::optional<ForcePeak> shaking;      ///< only in motion
   std::optional<double> max_torque;      ///< of the driving crank, absolute
   std::optional<double> cylinder_force;  ///< absolute
   std::vector<SpringUse> springs;
@@ -105,7 +106,13 @@ struct LoadStation {
   };
   std::vector<std::optional<SpringAt>> springs;              ///< by the loads' springs; nothing of torsion springs
   std::optional<std::array<Point, four_bar_joints>> joints;  ///< while opening
-  Point shaking{};                                           ///< force of the linkage on its ground, with rpm
+  /// With rpm or a motion.
+  struct InMotion {
+    double time = 0;                     ///< from position 1, s
+    double speed = 0, acceleration = 0;  ///< of the input link, counter-clockwise, rad/s, rad/s²
+    Point shaking{};                     ///< force of the moving links on the ground, weights included
+  };
+  std::optional<InMotion> motion;
 };
 
 /// Whether the worst is the largest; of what holds open, and of how far it closes by itself, the least.

@@ -11,6 +11,7 @@
 
 #include "linkwright/algebra/point.hpp"
 #include "linkwright/core/result.hpp"
+#include "linkwright/loads/driver_motion.hpp"
 
 // What acts on a planar four-bar and the body on its coupler: weights, forces, springs, a hand or a drive, in one case
 // or several. Lengths in the user's unit, kilograms, newtons, radians; moments in newton metres where a name does not
@@ -219,8 +220,10 @@ struct Loads {
   std::vector<Spring> springs;
   std::optional<PinFriction> pins;
   LoadDrive drive = LoadDrive::hand;
-  Cylinder cylinder;             ///< of that drive
-  std::optional<double> rpm;     ///< of the driver: with inertia
+  Cylinder cylinder;          ///< of that drive
+  std::optional<double> rpm;  ///< of the driver: with inertia
+  /// In place of it, of the input link from position 1 to the last one, closing the same backwards: with inertia.
+  std::optional<DriverMotion> motion;
   std::vector<LoadCase> cases;   ///< none: one at 20 °C on level ground
   int stations = 13;             ///< of a map's cells, over the travel
   std::optional<double> metres;  ///< to the user's unit of length; nothing: not known
@@ -229,6 +232,9 @@ struct Loads {
 };
 inline constexpr int most_stations = 721;
 inline constexpr std::size_t most_load_cases = 16, most_springs = 16, most_extra_loads = 32;
+
+/// Its links move so fast that their inertia counts.
+[[nodiscard]] inline bool has_inertia(const Loads& loads) { return loads.motion || loads.rpm.value_or(0) != 0; }
 
 /// The spring whose strength is left free.
 [[nodiscard]] std::optional<std::size_t> free_spring(const Loads& loads);

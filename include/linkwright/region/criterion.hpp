@@ -38,6 +38,10 @@ enum class RequirementKind : std::uint8_t {
   min_hold_open,
   max_pin_force,
   max_torque,
+  max_cylinder_force,
+  max_self_rise,
+  min_self_close,
+  max_best_f1,
   end  ///< none: how many there are
 };
 inline constexpr auto requirement_kind_count = static_cast<std::size_t>(RequirementKind::end);

@@ -51,11 +51,13 @@ constexpr auto with_analyses(const std::array<Objective, n>& own) {
 }
 
 /// What analyses ask of linkages that carry loads: those of the plane with a guided body.
-inline constexpr std::array load_requirements = {RequirementKind::max_open_force, RequirementKind::max_close_force,
-                                                 RequirementKind::min_hold_open, RequirementKind::max_pin_force,
-                                                 RequirementKind::max_torque};
-inline constexpr std::array load_objectives = {Objective::hand_force, Objective::hold_open, Objective::pin_force,
-                                               Objective::torque};
+inline constexpr std::array load_requirements = {
+    RequirementKind::max_open_force, RequirementKind::max_close_force, RequirementKind::min_hold_open,
+    RequirementKind::max_pin_force,  RequirementKind::max_torque,      RequirementKind::max_cylinder_force,
+    RequirementKind::max_self_rise,  RequirementKind::min_self_close,  RequirementKind::max_best_f1};
+inline constexpr std::array load_objectives = {Objective::hand_force, Objective::hold_open,      Objective::pin_force,
+                                               Objective::torque,     Objective::cylinder_force, Objective::self_rise,
+                                               Objective::self_close, Objective::best_f1};
 
 inline constexpr auto unloaded_requirements = with_analyses(
     std::array{RequirementKind::types, RequirementKind::no_defects, RequirementKind::min_transmission_angle,

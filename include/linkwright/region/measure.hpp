@@ -11,8 +11,9 @@ class RegionMap;
 /// A number that each cell of a map has. A family says which ones its maps hold; each keeps a column.
 struct Measure {
   enum class Stored : std::uint8_t {
-    as_it_is,   ///< a number, user's unit
-    as_versine  ///< of an angle γ as 1 − cos γ, which keeps its digits at both ends
+    as_it_is,    ///< a number, user's unit
+    as_versine,  ///< of an angle γ as 1 − cos γ, which keeps its digits at both ends
+    as_angle     ///< radians
   };
 
   std::string_view key;  ///< in result files; measures of the same key are the same
@@ -68,10 +69,11 @@ inline constexpr Measure hold_open{.key = "hold_open", .larger_is_better = true,
 inline constexpr Measure max_pin_force{.key = "max_pin_force", .is_added = true};
 inline constexpr Measure max_torque{.key = "max_torque", .is_added = true};
 inline constexpr Measure cylinder_force{.key = "cylinder_force", .is_added = true};
-/// How far the body has turned from position 1, degrees, where it begins to rise by itself to the end, the whole turn
+/// How far the body has turned from position 1, radians, where it begins to rise by itself to the end, the whole turn
 /// where it does not; and from where it closes by itself, 0 where it does not.
-inline constexpr Measure self_rise{.key = "self_rise_deg", .is_added = true};
-inline constexpr Measure self_close{.key = "self_close_deg", .larger_is_better = true, .is_added = true};
+inline constexpr Measure self_rise{.key = "self_rise_deg", .stored = Measure::Stored::as_angle, .is_added = true};
+inline constexpr Measure self_close{
+    .key = "self_close_deg", .stored = Measure::Stored::as_angle, .larger_is_better = true, .is_added = true};
 /// Of the hand force, that of looking at stations; and F1 of the spring that leaves it free, with which all others are.
 inline constexpr Measure hand_force_error{.key = "hand_force_error", .is_added = true};
 inline constexpr Measure best_f1{.key = "best_F1", .is_added = true};

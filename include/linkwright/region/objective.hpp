@@ -14,7 +14,9 @@ namespace linkwright {
 /// transmission angle; of spherical linkages the largest least link angle; of linkages with a straight line the longest
 /// usable length over the longest link, the least deviation, the most even velocity; of all that
 /// are made with tolerances the least error by them, the largest yield; of all that carry loads the least hand force,
-/// the best hold, the least force of a pin, the least torque; of paths that pass near points the smallest error.
+/// the best hold, the least force of a pin, the least torque, the least force of the cylinder, the least turn from
+/// which it rises by itself, the largest from which it closes, the weakest spring; of paths that pass near points the
+/// smallest error.
 enum class Objective {
   min_transmission_angle,
   link_ratio,
@@ -30,6 +32,10 @@ enum class Objective {
   hold_open,
   pin_force,
   torque,
+  cylinder_force,
+  self_rise,
+  self_close,
+  best_f1,
   path_error,
   end  ///< none: how many there are
 };

@@ -84,8 +84,11 @@ struct Requirements {
   // By loads, N and N·m.
   double max_open_force = unlimited, max_close_force = unlimited;
   double min_hold_open = -unlimited;
-  double max_pin_force = unlimited, max_torque = unlimited;
-  bool respect_direction = true;  ///< poses with derivatives are passed in their direction
+  double max_pin_force = unlimited, max_torque = unlimited, max_cylinder_force = unlimited;
+  double max_self_rise = unlimited;  ///< turn of the body from position 1 from which it rises by itself, radians
+  double min_self_close = 0;         ///< turn from which it closes by itself, radians; 0: any
+  double max_best_f1 = unlimited;    ///< of the spring that leaves it free
+  bool respect_direction = true;     ///< poses with derivatives are passed in their direction
 };
 
 /// Defaults of max_length and min_length in characteristic lengths: beyond them lie linkages that nobody can build, and

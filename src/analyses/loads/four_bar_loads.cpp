@@ -138,7 +138,7 @@ std::vector<LoadColumn> columns_of(const Loads& loads, std::span<const ReadOut> 
   constexpr float infinite = std::numeric_limits<float>::infinity();
   std::vector<LoadColumn> columns;
   for (const ReadOut read_out : read_outs)
-    columns.push_back({read_out, read_out == ReadOut::max_torque ? metres_of(loads) : measure_unit(read_out),
+    columns.push_back({read_out, read_out == ReadOut::max_torque ? metres_of(loads) : 1,
                        larger_is_worse(read_out) ? infinite : -infinite});
   return columns;
 }
@@ -326,11 +326,14 @@ class RowsOfLoads {
   /// Of columns; so many more that a kernel may read beyond them.
   [[nodiscard]] std::vector<signed char> senses_of(std::size_t row) const {
     std::vector<signed char> senses(map_.columns() + LoadTables::most_lanes, 0);
-    for (std::size_t column = 0; column < map_.columns(); ++column) {
-      const std::size_t cell = map_.index(row, column);
-      if (map_.type(cell) == LinkageType::degenerate || !map_.defects(cell).none()) continue;
-      senses[column] = map_.drive_sense(row, column) == DriveSense::cw ? -1 : 1;
-    }
+    const std::size_t columns = map_.columns(), first = map_.index(row, 0);
+    const std::span<const std::uint8_t> types = map_.types().subspan(first, columns);
+    const std::span<const std::uint8_t> defects = map_.defects().subspan(first, columns);
+    constexpr auto degenerate = static_cast<std::uint8_t>(LinkageType::degenerate);
+    signed char* const to = senses.data();
+    for (std::size_t column = 0; column < columns; ++column)
+      if (types[column] != degenerate && defects[column] == 0)
+        to[column] = map_.drive_sense(row, column) == DriveSense::cw ? -1 : 1;
     return senses;
   }
   /// What the kernel works out first.
@@ -369,7 +372,7 @@ bool fits_lanes(const Loads& loads, std::size_t positions) {
   const bool is_slow =
       std::all_of(loads.cases.begin(), loads.cases.end(), [](const LoadCase& of) { return of.gas_exponent == 1; });
   const std::size_t stations = (positions - 1) * static_cast<std::size_t>(steps_between(loads.stations, positions)) + 1;
-  return is_linear && is_slow && loads.rpm.value_or(0) == 0 && stations <= LoadRow::most_stations &&
+  return is_linear && is_slow && !has_inertia(loads) && stations <= LoadRow::most_stations &&
          loads.extra.size() + 4 <= LaneLoads::most_forces && loads.springs.size() <= LaneLoads::most_springs;
 }
 

@@ -2,6 +2,7 @@
 #include <array>
 #include <cmath>
 #include <fmt/format.h>
+#include <functional>
 #include <vector>
 
 #include "drawing/palette.hpp"
@@ -15,7 +16,8 @@
 namespace linkwright {
 namespace {
 
-constexpr PixelBox forces_card{80, 130, 880, 400}, springs_card{80, 610, 880, 130};
+constexpr PixelBox forces_card{80, 130, 880, 400}, lower_card{80, 610, 880, 130};
+constexpr PixelBox left_card{80, 610, 410, 130}, right_card{550, 610, 410, 130};
 constexpr std::array<std::string_view, 6> case_colors = {palette::accent, palette::output, palette::link_2,
                                                          palette::link_5, palette::body,   palette::curve};
 
@@ -44,17 +46,17 @@ bool can_be_drawn(const LoadStudy& study) {
   return curve.front().at.body_turn != curve.back().at.body_turn;
 }
 
-using Value = std::optional<double> LoadStation::*;
+using Value = std::function<std::optional<double>(const LoadStation& station)>;
 
 void draw_line(SvgCanvas& svg, const PlotScale& scale, const Opening& opening, const std::vector<LoadStation>& curve,
-               Value value, const std::string& style) {
+               const Value& value, const std::string& style) {
   std::vector<Point> piece;
   const auto end_piece = [&] {
     if (piece.size() > 1) svg.polyline(piece, style + " stroke-linejoin=\"round\"");
     piece.clear();
   };
   for (const LoadStation& station : curve) {
-    const auto& at = station.*value;
+    const auto at = value(station);
     if (at)
       piece.push_back(scale.at(opening.of(station), *at));
     else
@@ -64,13 +66,14 @@ void draw_line(SvgCanvas& svg, const PlotScale& scale, const Opening& opening, c
 }
 
 /// From the least to the largest of all cases.
-void draw_band(SvgCanvas& svg, const PlotScale& scale, const LoadStudy& study, Value value, std::string_view color) {
+void draw_band(SvgCanvas& svg, const PlotScale& scale, const LoadStudy& study, const Value& value,
+               std::string_view color) {
   const Opening opening(study);
   std::vector<Point> upper, lower;
   for (std::size_t i = 0; i < study.curves.front().size(); ++i) {
     std::optional<double> low, high;
     for (const auto& curve : study.curves) {
-      const auto& here = curve[i].*value;
+      const auto here = value(curve[i]);
       if (!here) return;
       low = std::min(low.value_or(*here), *here);
       high = std::max(high.value_or(*here), *here);
@@ -100,28 +103,69 @@ void draw_rests(SvgCanvas& svg, const PlotScale& scale, const Opening& opening, 
                fill(rest.stable ? color : palette::paper) + " " + stroke(color, 1.8));
 }
 
-void draw_forces(SvgCanvas& svg, const LoadStudy& study) {
+/// One line a case, or two.
+struct Plotted {
+  std::string heading;
+  Value line, broken;
+};
+
+/// Of the hand; without one, or in motion, of what drives.
+Plotted efforts_of(const Loads& loads) {
+  const bool is_driven = has_inertia(loads) && loads.drive != LoadDrive::hand;
+  if (loads.handle && !is_driven)
+    return {"Force of the hand: opening ——, closing – – –, N", &LoadStation::open, &LoadStation::close};
+  if (loads.drive == LoadDrive::cylinder)
+    return {"Force of the cylinder, opening without friction, N", &LoadStation::cylinder_force, {}};
+  return {fmt::format("Torque of the driving crank, opening without friction, {}", loads.metres ? "N·m" : "N × unit"),
+          &LoadStation::torque,
+          {}};
+}
+
+/// Where there is a value.
+void draw_plotted(SvgCanvas& svg, PlotScale scale, const LoadStudy& study, const Plotted& what, const PlotAxes& axes) {
   const Opening opening(study);
-  PlotScale scale = scale_over(forces_card, study);
   scale.hold(0);
   for (const auto& curve : study.curves)
     for (const LoadStation& station : curve)
-      for (const Value value : {&LoadStation::open, &LoadStation::close})
-        if (station.*value) scale.hold(*(station.*value));
+      for (const Value& value : {what.line, what.broken})
+        if (const auto at = value ? value(station) : std::nullopt) scale.hold(*at);
   scale.widen();
-  draw_plot_frame(svg, forces_card, "Force of the hand: opening ——, closing – – –, N");
-  draw_plot_axes(svg, scale, {"Body turned from position 1, degrees", palette::body, true, false});
+  const PixelBox& box = scale.box();
+  draw_plot_frame(svg, box, what.heading);
+  draw_plot_axes(svg, scale, axes);
   draw_positions(svg, scale, study);
-  svg.line({forces_card.left, scale.y(0)}, {forces_card.right(), scale.y(0)}, stroke(palette::curve, 1.2));
+  svg.line({box.left, scale.y(0)}, {box.right(), scale.y(0)}, stroke(palette::curve, 1.2));
   if (study.curves.size() > 1) {
-    draw_band(svg, scale, study, &LoadStation::open, palette::accent);
-    draw_band(svg, scale, study, &LoadStation::close, palette::output);
+    draw_band(svg, scale, study, what.line, palette::accent);
+    if (what.broken) draw_band(svg, scale, study, what.broken, palette::output);
   }
   for (std::size_t k = 0; k < study.curves.size(); ++k) {
-    draw_line(svg, scale, opening, study.curves[k], &LoadStation::open, stroke(color_of(k), 2));
-    draw_line(svg, scale, opening, study.curves[k], &LoadStation::close, stroke(color_of(k), 1.6, "6 4"));
+    draw_line(svg, scale, opening, study.curves[k], what.line, stroke(color_of(k), 2));
+    if (what.broken) draw_line(svg, scale, opening, study.curves[k], what.broken, stroke(color_of(k), 1.6, "6 4"));
     draw_rests(svg, scale, opening, study.report.cases[k], color_of(k));
   }
+}
+
+void draw_forces(SvgCanvas& svg, const LoadStudy& study) {
+  draw_plotted(svg, scale_over(forces_card, study), study, efforts_of(study.loads),
+               {"Body turned from position 1, degrees", palette::body, true, false});
+}
+
+std::optional<double> shaking_of(const LoadStation& station) {
+  return station.motion ? std::optional(std::abs(station.motion->shaking)) : std::nullopt;
+}
+std::optional<double> largest_pin_of(const LoadStation& station) {
+  if (!station.joints) return std::nullopt;
+  double most = 0;
+  for (const Point joint : *station.joints) most = std::max(most, std::abs(joint));
+  return most;
+}
+
+/// What shakes the ground, and what the pins carry while it opens.
+void draw_motion(SvgCanvas& svg, const LoadStudy& study, const PixelBox& box) {
+  draw_plotted(svg, scale_over(box, study), study,
+               {"Force on the ground ——, largest pin – – –, N", shaking_of, largest_pin_of},
+               {"", palette::body, true, false});
 }
 
 void draw_legend(SvgCanvas& svg, const LoadStudy& study) {
@@ -135,30 +179,30 @@ void draw_legend(SvgCanvas& svg, const LoadStudy& study) {
   }
 }
 
-void draw_springs(SvgCanvas& svg, const LoadStudy& study) {
+bool has_lengths(const LoadStudy& study) {
+  const auto& springs = study.curves.front().front().springs;
+  return std::any_of(springs.begin(), springs.end(), [](const auto& spring) { return spring.has_value(); });
+}
+
+void draw_springs(SvgCanvas& svg, const LoadStudy& study, const PixelBox& box) {
   const auto& curve = study.curves.front();
-  PlotScale scale = scale_over(springs_card, study);
-  bool is_any = false;
+  PlotScale scale = scale_over(box, study);
   for (const LoadStation& station : curve)
     for (const auto& spring : station.springs)
-      if (spring) {
-        scale.hold(spring->length);
-        is_any = true;
-      }
-  if (!is_any) return;
+      if (spring) scale.hold(spring->length);
   for (const Spring& spring : study.loads.springs)
     if (const auto* gas = std::get_if<GasSpring>(&spring.law)) {
       scale.hold(gas->extended_length);
       scale.hold(gas->extended_length - gas->stroke);
     }
   scale.widen();
-  draw_plot_frame(svg, springs_card,
+  draw_plot_frame(svg, box,
                   fmt::format("Length of springs within their stroke{}",
                               study.length_unit.empty() ? "" : ", " + study.length_unit));
   for (std::size_t k = 0; k < study.loads.springs.size(); ++k)
     if (const auto* gas = std::get_if<GasSpring>(&study.loads.springs[k].law)) {
       const double top = scale.y(gas->extended_length), bottom = scale.y(gas->extended_length - gas->stroke);
-      svg.rectangle({springs_card.left, top}, springs_card.width, bottom - top, fill(color_of(k), 0.07));
+      svg.rectangle({box.left, top}, box.width, bottom - top, fill(color_of(k), 0.07));
     }
   draw_plot_axes(svg, scale, {"", palette::body, true, false});
   for (std::size_t k = 0; k < study.loads.springs.size(); ++k) {
@@ -167,6 +211,14 @@ void draw_springs(SvgCanvas& svg, const LoadStudy& study) {
       if (station.springs[k]) line.push_back(scale.at(Opening(study).of(station), station.springs[k]->length));
     if (line.size() > 1) svg.polyline(line, stroke(color_of(k), 1.8));
   }
+}
+
+/// The largest of all cases.
+std::string motion_text(const LoadStudy& study) {
+  double most = 0;
+  for (const CaseReport& of : study.report.cases)
+    if (of.shaking) most = std::max(most, of.shaking->force);
+  return fmt::format("{}shakes the ground with {} N", "   ·   ", significant_text(most, 3));
 }
 
 std::string figures_of(const LoadStudy& study) {
@@ -180,6 +232,7 @@ std::string figures_of(const LoadStudy& study) {
   add(ReadOut::max_close_force, "closes with at most");
   add(ReadOut::hold_open, "holds open against");
   add(ReadOut::max_pin_force, "largest pin");
+  if (has_inertia(study.loads)) text += motion_text(study);
   return text;
 }
 
@@ -191,7 +244,9 @@ std::string draw_loads(const LoadStudy& study) {
   if (can_be_drawn(study)) {
     draw_legend(svg, study);
     draw_forces(svg, study);
-    draw_springs(svg, study);
+    const bool moves = has_inertia(study.loads), springs = has_lengths(study);
+    if (springs) draw_springs(svg, study, moves ? left_card : lower_card);
+    if (moves) draw_motion(svg, study, springs ? right_card : lower_card);
   }
   return svg.file();
 }

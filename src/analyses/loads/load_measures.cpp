@@ -1,6 +1,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <functional>
 #include <limits>
 #include <memory>
 #include <mutex>
@@ -39,7 +40,7 @@ double no_value(ReadOut read_out) {
 /// As a map has it.
 double measured(CellLoads& cell, ReadOut read_out) {
   const auto found = cell.read_out(read_out);
-  return found ? measure_unit(read_out) * *found : no_value(read_out);
+  return found.value_or(no_value(read_out));
 }
 
 /// The forces in the linkages of a family: in a map's all at once, in those that a search looks at read-out by
@@ -139,14 +140,13 @@ class LoadMeasure : public CellMeasure {
   ReadOut read_out_;
 };
 
-/// Between what a search looks at and what is listed.
-double margin_of(double limit) { return 0.01 + 1e-4 * std::abs(limit); }
+/// Between what a search looks at and what is listed: in newtons, newton metres or radians.
+std::function<double(double limit)> margin_of(const Measure& measure) {
+  const bool is_angle = measure.stored == Measure::Stored::as_angle;
+  return [least = is_angle ? radians(0.01) : 0.01](double limit) { return least + 1e-4 * std::abs(limit); };
+}
 
 }  // namespace
-
-double measure_unit(ReadOut read_out) {
-  return read_out == ReadOut::self_rise || read_out == ReadOut::self_close ? degrees(1) : 1;
-}
 
 bool is_counted(ReadOut read_out, const Loads& loads) {
   if (read_out == ReadOut::best_f1) return true;
@@ -180,8 +180,9 @@ AddedMeasures load_measures(const LinkageFamily& family, const Loads& loads) {
   AddedMeasures added;
   for (const Row& row : rows)
     if (has_value(row.read_out, loads) && is_counted(row.read_out, loads))
-      added.all.push_back(
-          {.measure = std::make_shared<LoadMeasure>(forces, row), .together = forces, .margin_of = margin_of});
+      added.all.push_back({.measure = std::make_shared<LoadMeasure>(forces, row),
+                           .together = forces,
+                           .margin_of = margin_of(*row.measure)});
   return added;
 }
 

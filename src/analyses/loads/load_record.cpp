@@ -29,10 +29,10 @@ static void fields(FieldVisitor& v, const RestBand& band) {
   });
 }
 
-static void fields(FieldVisitor& v, const PinPeak& pin) {
-  v.object({.name = "pin_peak"}, [&](FieldVisitor& to) {
-    to.shown("max", pin.force, forms::not_negative);
-    to.shown("at", pin.at);
+static void fields(FieldVisitor& v, const ForcePeak& peak) {
+  v.object({.name = "force_peak"}, [&](FieldVisitor& to) {
+    to.shown("max", peak.force, forms::not_negative);
+    to.shown("at", peak.at);
   });
 }
 
@@ -66,6 +66,7 @@ static void fields(FieldVisitor& v, const CaseReport& of) {
         for (std::size_t k = 0; k < four_bar_joints; ++k) each.shown(four_bar_joint_names[k], of.pins[k]);
       });
     });
+    to.shown_if_any(Field("shaking", "Largest force of the moving links on the ground, in motion."), of.shaking);
     to.shown(Field("max_torque", "Of the driving crank, N·m; null: another drive."), of.max_torque);
     to.shown("cylinder_force", of.cylinder_force);
     to.shown("springs", of.springs, forms::on_lines);

@@ -15,7 +15,7 @@ std::optional<double> listed(const std::optional<LoadReport>& report, const Meas
   if (*read_out == ReadOut::best_f1) return report->best_f1;
   if (static_cast<std::size_t>(*read_out) >= read_outs) return std::nullopt;
   const auto& worst = report->worst_of(*read_out);
-  return worst ? std::optional(measure_unit(*read_out) * worst->value) : std::nullopt;
+  return worst ? std::optional(worst->value) : std::nullopt;
 }
 
 ListedMeasures listed_measures(const Findings& found) {

@@ -55,6 +55,8 @@ std::vector<std::string> columns_of(const Loads& loads) {
     columns.push_back(fmt::format("{}.y_N", joint));
   }
   if (loads.drive == LoadDrive::cylinder) columns.insert(columns.end(), {"cylinder_N", "pressure_angle_deg"});
+  if (has_inertia(loads))
+    columns.insert(columns.end(), {"time_s", "driver_rad_per_s", "driver_rad_per_s2", "shaking.x_N", "shaking.y_N"});
   return columns;
 }
 
@@ -77,6 +79,10 @@ std::vector<double> row_of(const Loads& loads, const LoadStation& station) {
     row.push_back(station.cylinder_force.value_or(none));
     row.push_back(station.pressure_angle ? degrees_for_files(*station.pressure_angle) : none);
   }
+  if (has_inertia(loads)) {
+    const auto is = station.motion.value_or(LoadStation::InMotion{none, none, none, {none, none}});
+    row.insert(row.end(), {is.time, is.speed, is.acceleration, is.shaking.real(), is.shaking.imag()});
+  }
   return row;
 }
 
@@ -93,8 +99,18 @@ LoadStudy load_study(const Problem& problem, const Answer& answer, std::size_t p
     study.curves.push_back(load_curve(loads, of, planar.positions.front().bars, poses, between));
   const LoadCase first = cases_of(loads).front();
   if (auto balance = exact_balance(loads, first, planar.positions.front().bars, poses.front().pose))
-    study.balance = BalanceOfCase{first.name, *std::move(balance)};
+    study.balance = BalanceOfCase{first.name, *std::move(balance), {}, {}};
   return study;
+}
+
+static void add_real_springs(LoadStudy& study, const Answer& answer, std::size_t place,
+                             const RealBalanceOptions& options) {
+  const auto output = listed_outputs(answer, 0)[place];
+  const auto& planar = std::get<PlanarOutput>(*output);
+  auto found = real_balance(study.loads, cases_of(study.loads).front(), planar.positions.front().bars, poses_of(planar),
+                            options);
+  study.balance->real = std::move(found.found);
+  study.balance->why_not_real = std::move(found.why_not);
 }
 
 /// Gives the spring that leaves its strength free that of the linkage in all cases, before one of them is left.
@@ -108,6 +124,7 @@ static std::vector<Error> settle_strength(Problem& problem, int layer) {
 }
 
 Result<LoadStudy> listed_loads(std::string_view text, int linkage, const LoadChanges& changes) {
+  if (auto mistakes = mistakes_in(changes.real_springs); !mistakes.empty()) return mistakes;
   auto listed = read_listed_problem(text, linkage);
   if (!listed) return listed.errors();
   auto& loads = listed->problem.options.loads;
@@ -125,6 +142,7 @@ Result<LoadStudy> listed_loads(std::string_view text, int linkage, const LoadCha
                  "this linkage does not get through its positions in order without a dead point, so that it has no "
                  "forces from the first to the last"};
   LoadStudy study = load_study(problem, answer, place);
+  if (study.balance) add_real_springs(study, answer, place, changes.real_springs);
   study.title += fmt::format("{}linkage {}", study.title.empty() ? "" : ", ", linkage);
   return study;
 }

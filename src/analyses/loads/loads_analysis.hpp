@@ -36,8 +36,6 @@ void fields(FieldVisitor& v, CarriedPoint& point);
 
 /// The loads' drive or handle gives a read-out its value.
 [[nodiscard]] bool has_value(ReadOut read_out, const Loads& loads);
-/// By which a map's values are those of CellLoads: degrees for radians.
-[[nodiscard]] double measure_unit(ReadOut read_out);
 /// A case counts for it.
 [[nodiscard]] bool is_counted(ReadOut read_out, const Loads& loads);
 /// Of a measure of ours; nothing: it is another's.

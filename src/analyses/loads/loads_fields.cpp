@@ -270,6 +270,54 @@ void drive(FieldVisitor& v, Loads& loads) {
            Wanted{"load_drive", "\"hand\", \"input\", \"output\" or {\"cylinder\": {\"from\": …, \"to\": …}}"});
 }
 
+const Names<DriverMotion::Law> driver_laws = {{DriverMotion::Law::uniform, DriverMotion::Law::trapezoid,
+                                               DriverMotion::Law::cycloid, DriverMotion::Law::polynomial_345},
+                                              "driver_law"};
+
+void by_law(FieldVisitor& v, DriverMotion& motion) {
+  const bool has_law = motion.law != DriverMotion::Law::table;
+  auto law = has_law ? motion.law : DriverMotion{}.law;
+  v.required(
+      Field("law", "All but uniform from rest to rest.").missing({"driver_law", "the law: \"law\": \"cycloid\", …"}),
+      law, driver_laws);
+  motion.law = law;
+  v.required(Field("duration_s", "From position 1 to the last one."), motion.duration,
+             Number{.least = shortest_motion, .most = longest_motion});
+  v.optional(
+      Field("ramp", "Of a trapezoid: share of the duration in which it speeds up, and as long in which it slows down.")
+          .written(motion.law == DriverMotion::Law::trapezoid && motion.ramp != DriverMotion{}.ramp),
+      motion.ramp, Number{.least = 0.001, .most = 0.5});
+}
+
+void by_table(FieldVisitor& v, DriverMotion& motion) {
+  constexpr Number number = {.least = 0, .most = longest_motion};
+  const List points = {
+      .what = {"timed_shares", "a list of [seconds, share of the turn]"}, .least = 2, .most = most_timed_shares};
+  std::vector<std::array<double, 2>> table;
+  for (const auto& [time, share] : motion.table) table.push_back({time, share});
+  v.required(Field("table",
+                   "From [0, 0] to [duration, 1]: a smooth motion from rest to rest through these points, a cubic "
+                   "spline."),
+             table, points, Pair{.form = "[seconds, share of the turn]", .each = number});
+  motion = {.law = DriverMotion::Law::table, .table = {}};
+  for (const auto& [time, share] : table) motion.table.push_back({time, share});
+}
+
+}  // namespace
+
+static void fields(FieldVisitor& v, DriverMotion& motion) {
+  const std::array alternatives = {
+      Alternative{{"table"}, {}, [&](FieldVisitor& to) { by_table(to, motion); }},
+      Alternative{{"law", "duration_s"}, {}, [&](FieldVisitor& to) { by_law(to, motion); }}};
+  constexpr std::string_view sentence = "a motion has either a \"law\" with its \"duration_s\" or a \"table\"";
+  v.object({.name = "driver_motion"}, [&](FieldVisitor& to) {
+    to.one_of(motion.law == DriverMotion::Law::table ? 0 : 1, alternatives,
+              {"one_motion", sentence, "one_motion", sentence});
+  });
+}
+
+namespace {
+
 Names<ReadOut> all_read_outs() {
   Names<ReadOut> names;
   for (std::size_t k = 0; k < read_outs; ++k) names.choices.push_back(static_cast<ReadOut>(k));
@@ -329,6 +377,10 @@ void fields(FieldVisitor& v, Loads& loads) {
     to.optional(
         Field("rpm", "Of the driver at a steady speed: adds the forces of inertia.").written(loads.rpm.has_value()),
         loads.rpm, Number{.least = 0, .most = 1e6});
+    to.given(Field("motion",
+                   "In place of rpm: how the input link goes from position 1 to the last one in time, which adds the "
+                   "forces of inertia. Closing is the same backwards."),
+             loads.motion);
     to.optional(Field("cases").written(!loads.cases.empty()), loads.cases,
                 List{.what = {"load_cases", "a list of cases"}, .most = most_load_cases});
     to.optional(Field("stations", "Of the travel of each linkage of a map, the positions among them.")

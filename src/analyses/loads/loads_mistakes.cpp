@@ -43,6 +43,13 @@ std::optional<Error> mistake_in(const Asked& asked, const std::optional<Loads>& 
   if (asked.read_out == ReadOut::max_torque)
     return Error{"no_driving_crank", asked.place,
                  "a torque is that of a driving crank: \"drive\": \"input\" or \"output\" in the loads"};
+  if (asked.read_out == ReadOut::cylinder_force)
+    return Error{
+        "no_driving_cylinder", asked.place,
+        "this is the force of a driving cylinder: \"drive\": {\"cylinder\": {\"from\": …, \"to\": …}} in the loads"};
+  if (asked.read_out == ReadOut::best_f1)
+    return Error{"no_free_spring", asked.place,
+                 "no spring leaves its F1 free: give a gas spring \"best_F1\": {\"max_F1\": 900} in the loads"};
   return Error{"no_hand", asked.place, "a force of the hand needs \"handle\": {\"point\": [x, y]} in the loads"};
 }
 

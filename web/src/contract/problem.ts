@@ -419,6 +419,14 @@ export interface Requirements {
   max_pin_force?: number | null;
   /** Loads, driven by a crank: its largest torque, N·m. */
   max_torque?: number | null;
+  /** Loads, driven by a cylinder: its largest force, N. */
+  max_cylinder_force?: number | null;
+  /** Loads: largest turn of the body from position 1 from which it rises by itself to the end; 0: all the way. */
+  max_self_rise_deg?: number | null;
+  /** Loads: least turn of the body from position 1 from which it closes by itself all the way. */
+  min_self_close_deg?: number | null;
+  /** Loads: largest F1 of the spring that leaves it free, N. */
+  max_best_F1?: number | null;
   /** Poses with derivatives are passed in the direction of the first one, not against it. */
   respect_direction?: boolean;
 }
@@ -598,6 +606,19 @@ export interface Cylinder {
 export interface ByCylinder {
   cylinder: Cylinder;
 }
+export const driver_laws = ["uniform","trapezoid","cycloid","3-4-5"] as const;
+export type DriverLaw = (typeof driver_laws)[number];
+export type DriverMotion = {
+  /** From [0, 0] to [duration, 1]: a smooth motion from rest to rest through these points, a cubic spline. */
+  table: readonly (readonly [number, number])[];
+} | {
+  /** All but uniform from rest to rest. */
+  law: DriverLaw;
+  /** From position 1 to the last one. */
+  duration_s: number;
+  /** Of a trapezoid: share of the duration in which it speeds up, and as long in which it slows down. */
+  ramp?: number;
+};
 export const read_outs = ["max_open_force","max_close_force","hand_force","hold_open","close_start","hump","pop_up","self_rise","self_close","max_pin_force","max_torque","cylinder_force"] as const;
 export type ReadOut = (typeof read_outs)[number];
 export interface LoadCase {
@@ -632,6 +653,8 @@ export interface Loads {
   drive?: "hand" | "input" | "output" | ByCylinder;
   /** Of the driver at a steady speed: adds the forces of inertia. */
   rpm?: number | null;
+  /** In place of rpm: how the input link goes from position 1 to the last one in time, which adds the forces of inertia. Closing is the same backwards. */
+  motion?: DriverMotion;
   cases?: readonly LoadCase[];
   /** Of the travel of each linkage of a map, the positions among them. */
   stations?: number;
@@ -643,6 +666,8 @@ export interface Fit {
   measure?: "least_squares" | "least_largest";
   /** Closed paths: by how much the longest and the shortest link are shorter than the other two together, at least, over the diagonal of the points; null: any linkage. */
   grashof_margin?: number | null;
+  /** What the map runs over: the curves that were found, or the places of the input's ground pivot, each with the nearest path from there. */
+  map?: "curves" | "pivots";
 }
 export interface Options {
   /** N of the N × N region. */
@@ -650,9 +675,9 @@ export interface Options {
   /** Even steps of the curve coordinate, or of the length run by circle and centre point. */
   spacing?: "coordinate" | "arc_length";
   /** What the best linkages have: the largest least transmission angle, the smallest link ratio, the smallest longest link, the smallest structural error of a named function, of spherical linkages the largest least link angle, or with tolerances the smallest error by them or the largest yield. */
-  objective?: "min_transmission_angle" | "link_ratio" | "size" | "structural_error" | "link_angle" | "stroke" | "deviation" | "velocity_uniformity" | "tolerance_error" | "yield" | "hand_force" | "hold_open" | "pin_force" | "torque" | "path_error";
+  objective?: "min_transmission_angle" | "link_ratio" | "size" | "structural_error" | "link_angle" | "stroke" | "deviation" | "velocity_uniformity" | "tolerance_error" | "yield" | "hand_force" | "hold_open" | "pin_force" | "torque" | "cylinder_force" | "self_rise" | "self_close" | "best_F1" | "path_error";
   /** Two objectives of the map: linkages that no other beats in both are listed, instead of the best by one. */
-  pareto?: readonly ["min_transmission_angle" | "link_ratio" | "size" | "structural_error" | "link_angle" | "stroke" | "deviation" | "velocity_uniformity" | "tolerance_error" | "yield" | "hand_force" | "hold_open" | "pin_force" | "torque" | "path_error", "min_transmission_angle" | "link_ratio" | "size" | "structural_error" | "link_angle" | "stroke" | "deviation" | "velocity_uniformity" | "tolerance_error" | "yield" | "hand_force" | "hold_open" | "pin_force" | "torque" | "path_error"] | null;
+  pareto?: readonly ["min_transmission_angle" | "link_ratio" | "size" | "structural_error" | "link_angle" | "stroke" | "deviation" | "velocity_uniformity" | "tolerance_error" | "yield" | "hand_force" | "hold_open" | "pin_force" | "torque" | "cylinder_force" | "self_rise" | "self_close" | "best_F1" | "path_error", "min_transmission_angle" | "link_ratio" | "size" | "structural_error" | "link_angle" | "stroke" | "deviation" | "velocity_uniformity" | "tolerance_error" | "yield" | "hand_force" | "hold_open" | "pin_force" | "torque" | "cylinder_force" | "self_rise" | "self_close" | "best_F1" | "path_error"] | null;
   /** How many linkages the result lists. */
   best?: number;
   /** Straight lines: half the width of the strip in which the usable length counts; null: 1/10 000 of the longest link or arm. */

@@ -1,6 +1,14 @@
 // For tests: loads as files have them, drawn at random.
 import fc from "fast-check";
-import {four_bar_joints, loaded_bodys, read_outs, type LoadCase, type Loads, type Spring} from "../../contract/problem";
+import {
+  driver_laws,
+  four_bar_joints,
+  loaded_bodys,
+  read_outs,
+  type LoadCase,
+  type Loads,
+  type Spring,
+} from "../../contract/problem";
 import {number, point, positive, record, text} from "../../state/arbitrary_values";
 
 const half = fc.double({min: 0, max: 1e9, noNaN: true}),
@@ -69,6 +77,10 @@ const loads = record<Loads>(
       fc.record({cylinder: fc.record({from: stud, to: stud})}),
     ),
     rpm: fc.oneof(fc.constant(null), number()),
+    motion: fc.oneof(
+      fc.record({law: fc.constantFrom(...driver_laws), duration_s: positive()}),
+      fc.record({table: fc.array(point, {maxLength: 4})}),
+    ),
     cases: fc.array(load_case, {maxLength: 4}),
     stations: fc.integer({min: 2, max: 200}),
   },

@@ -1,10 +1,12 @@
 // What acts on a linkage, as the problem file has it: masses in kg, forces in N, points in the user's unit.
 import {
+  driver_laws,
   four_bar_joints,
   loaded_bodys,
   read_outs,
   type BodyMass,
   type CarriedPoint,
+  type DriverMotion,
   type ExtraLoad,
   type GasSpring,
   type Gravity,
@@ -160,6 +162,16 @@ const load_case = object<LoadCase>(
   },
   "name",
 );
+const read_motion = object<AllOf<DriverMotion>>({
+  law: one_of(driver_laws),
+  duration_s: positive,
+  ramp: positive,
+  table: list(point),
+});
+const motion: Read = (value) => {
+  const read = read_motion(value);
+  return read && ("table" in read || ("law" in read && "duration_s" in read)) ? read : undefined;
+};
 const loads = object<Loads>({
   gravity: or_null(object<Gravity>({direction_deg: number, acceleration: not_negative})),
   body: body_mass,
@@ -170,6 +182,7 @@ const loads = object<Loads>({
   pins: object<Pins>({radius: not_negative, friction: not_negative}, "radius", "friction"),
   drive: (value) => one_of(["hand", "input", "output"])(value) ?? cylinder(value),
   rpm: or_null(number),
+  motion,
   cases: list(load_case),
   stations: positive,
 });

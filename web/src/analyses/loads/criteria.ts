@@ -57,13 +57,16 @@ const force = ({span, ...described}: Described): PropertyDescription => ({
 });
 
 const turn_span = (): [number, number] => [0, 90];
-const turned = (text: "loads.rises_from" | "loads.closes_from", larger_is_better: boolean): PropertyDescription => ({
+const turned = (
+  text: "loads.rises_from" | "loads.closes_from",
+  requirement: "max_self_rise_deg" | "min_self_close_deg",
+): PropertyDescription => ({
   text,
   short: text,
   term: null,
-  requirement: null,
+  requirement,
   needs: "hand",
-  larger_is_better,
+  larger_is_better: requirement === "min_self_close_deg",
   quantity: "fine_angle",
   in_degrees: true,
   span: turn_span,
@@ -125,13 +128,13 @@ const properties: Record<string, PropertyDescription> = {
     quantity: "torque",
     span: (_, typical, {loads = {}}) => [0, round_step((typical_force(loads) * typical) / 1000)],
   },
-  self_rise_deg: turned("loads.rises_from", false),
-  self_close_deg: turned("loads.closes_from", true),
+  self_rise_deg: turned("loads.rises_from", "max_self_rise_deg"),
+  self_close_deg: turned("loads.closes_from", "min_self_close_deg"),
   best_F1: force({
     text: "loads.best_f1",
     short: "loads.best_f1",
     term: null,
-    requirement: null,
+    requirement: "max_best_F1",
     needs: "free",
     span: ({springs = []}) => [
       0,
@@ -150,32 +153,45 @@ const properties: Record<string, PropertyDescription> = {
     text: "loads.cylinder_force",
     short: "loads.cylinder_short",
     term: null,
-    requirement: null,
+    requirement: "max_cylinder_force",
     needs: "cylinder",
     span: pin_span,
   }),
 };
 
 const of_hand = {term: "hand_force", bound: "most", quantity: "force", from: -largest_force, needs: "hand"} as const;
+const of_turn = {term: null, quantity: "angle", in_degrees: true, from: 0, needs: "hand"} as const;
 const requirements = limits({
   max_open_force: of_hand,
   max_close_force: of_hand,
   min_hold_open: {...of_hand, term: "hold_open", bound: "least"},
   max_pin_force: {term: null, bound: "most", quantity: "force", from: 0, needs: "loads"},
   max_torque: {term: null, bound: "most", quantity: "torque", from: 0, needs: "crank"},
+  max_cylinder_force: {term: null, bound: "most", quantity: "force", from: 0, needs: "cylinder"},
+  max_self_rise_deg: {...of_turn, bound: "most"},
+  min_self_close_deg: {...of_turn, bound: "least"},
+  max_best_F1: {term: null, bound: "most", quantity: "force", from: 0, needs: "free"},
 });
 const objectives: Record<string, ObjectiveDescription> = {
   hand_force: {name: "req.objective.hand_force", measure: "hand_force", needs: "hand"},
   hold_open: {name: "req.objective.hold_open", measure: "hold_open", needs: "hand"},
   pin_force: {name: "req.objective.pin_force", measure: "max_pin_force", needs: "loads"},
   torque: {name: "req.objective.torque", measure: "max_torque", needs: "crank"},
+  cylinder_force: {name: "req.objective.cylinder_force", measure: "cylinder_force", needs: "cylinder"},
+  self_rise: {name: "req.objective.self_rise", measure: "self_rise_deg", needs: "hand"},
+  self_close: {name: "req.objective.self_close", measure: "self_close_deg", needs: "hand"},
+  best_F1: {name: "req.objective.best_F1", measure: "best_F1", needs: "free"},
 };
 export const criteria: Criteria = {properties, requirements, objectives};
-/** Of the read-outs of one case, those that a requirement limits. */
+/** Of what is read off a linkage, that which a requirement limits. */
 export const limited_by = {
   max_open_force: "max_open_force",
   max_close_force: "max_close_force",
   hold_open: "min_hold_open",
   max_pin_force: "max_pin_force",
   max_torque: "max_torque",
+  cylinder_force: "max_cylinder_force",
+  self_rise: "max_self_rise_deg",
+  self_close: "min_self_close_deg",
+  best_F1: "max_best_F1",
 } as const;

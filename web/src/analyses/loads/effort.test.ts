@@ -12,6 +12,8 @@ const curve = (change: Partial<LoadCurve> = {}): LoadCurve => ({
   open: [10, -5, -20],
   close: [-5, 12, 30],
   torque: [null, null, null],
+  time: [null, null, null],
+  shaking: [null, null, null],
   pin: [100, 120, 110],
   ...change,
 });
@@ -70,6 +72,11 @@ describe("the effort", () => {
       cases: [{open: [1, 2, 3], close: null}],
     });
     expect(effort_of({curves: [curve({open: none, close: none})]})).toMatchObject({of: "pin"});
+    const moving = [curve({time: [0, 0.5, 1], shaking: [9, 7, 8]})];
+    expect(effort_of({curves: moving}, {of: "shaking"})).toMatchObject({
+      all_of: ["hand", "pin", "shaking"],
+      cases: [{open: [9, 7, 8], close: null}],
+    });
     expect(effort_of({curves: []})).toBeNull();
   });
   it("knows where the drive is", () => {

@@ -10,7 +10,7 @@ export interface EffortCase {
   /** None where one curve says it all. */
   close: Values | null;
 }
-export const shown_forces = ["hand", "torque", "pin"] as const;
+export const shown_forces = ["hand", "torque", "pin", "shaking"] as const;
 export type Shown = (typeof shown_forces)[number];
 export const abscissas = ["body", "path", "driver"] as const;
 export type Over = (typeof abscissas)[number];
@@ -61,12 +61,11 @@ function all_along({body_turn_deg, driver_turn_deg, path}: LoadCurve): Along[] {
   });
 }
 function all_shown(curves: readonly LoadCurve[]): Shown[] {
-  const values = {hand: "open", torque: "torque", pin: "pin"} as const;
-  return shown_forces.filter((of) => curves.some((curve) => has_some(curve[values[of]])));
+  return shown_forces.filter((of) => curves.some((curve) => has_some(curve[of === "hand" ? "open" : of])));
 }
-function curve_of({name, open, close, torque, pin}: LoadCurve, of: Shown): EffortCase {
-  if (of === "hand") return {name, open, close};
-  return {name, open: of === "torque" ? torque : pin, close: null};
+function curve_of(curve: LoadCurve, of: Shown): EffortCase {
+  const {name, open, close} = curve;
+  return of === "hand" ? {name, open, close} : {name, open: curve[of], close: null};
 }
 export function effort_of({curves}: Pick<LoadsReply, "curves">, choice: EffortChoice = {}): Effort | null {
   const [first] = curves,
@@ -128,7 +127,7 @@ export interface EffortMarks {
 }
 /** What a case does by itself, where the plot shows what moves it. */
 export function marks_of({of, over, sense, x}: Effort, report: LoadCaseReport): EffortMarks {
-  if (of === "pin") return {marks: [], rests: []};
+  if (of === "pin" || of === "shaking") return {marks: [], rests: []};
   const x_of = (place: LoadPlace | null): number | null => {
     const at = place && of_place[over](place);
     return at === null ? null : sense * at + 0;

@@ -36,6 +36,7 @@ export const all: Loads = {
   pins: {radius: 6, friction: 0.15},
   drive: {cylinder: {from: stud("ground", 1, 2), to: stud("body", 3, 4)}},
   rpm: null,
+  motion: {law: "trapezoid", duration_s: 2.5, ramp: 0.2},
   cases: [
     {name: "room"},
     {

@@ -1,6 +1,6 @@
 // What all groups of fields take, and what a number of the loads is told by: by its name and unit, one line after the other.
 import type {Point} from "../../contract/messages";
-import type {LinkMass, LinkMasses} from "../../contract/problem";
+import {driver_laws, type LinkMass, type LinkMasses} from "../../contract/problem";
 import {t} from "../../texts/texts.svelte";
 import {default_temperature_C, friction_of, usual_gravity, type CarriedPoint, type LinearSpring} from "./block";
 import type {ExtraLoad, LoadCase, Loads, Spring} from "./block";
@@ -146,6 +146,51 @@ function inertia_line(inertia: number | undefined, put: (inertia: number | undef
 
 // ---- gravity, pins, speed -------------------------------------------------------------------------------------------
 
+export const motions = ["none", ...driver_laws] as const;
+/** How the driver moves in time; a table is chosen where it is given. */
+export function motion_of({motion}: Loads): (typeof motions)[number] | "table" {
+  if (!motion) return "none";
+  return "law" in motion ? motion.law : "table";
+}
+export function with_motion(loads: Loads, law: ReturnType<typeof motion_of>): Loads {
+  if (law === "table") return loads;
+  if (law === "none") return changed(loads, {motion: undefined});
+  const {motion} = loads,
+    duration_s = !motion ? 1 : "law" in motion ? motion.duration_s : (motion.table.at(-1)?.[0] ?? 1);
+  return changed(loads, {motion: {law, duration_s}, rpm: undefined});
+}
+function motion_lines(loads: Loads): NumberLine[] {
+  const {motion} = loads;
+  if (!motion || !("law" in motion)) return [];
+  const put = (change: object): Loads => ({...loads, motion: {...motion, ...change}});
+  const duration: NumberLine = {
+    key: "law_duration",
+    name: t("loads.law_duration"),
+    value: motion.duration_s,
+    unit: "s",
+    low: 1e-6,
+    high: 1e6,
+    by: 0.1,
+    with_value: (duration_s) => put({duration_s: duration_s ?? 1}),
+  };
+  if (motion.law !== "trapezoid") return [duration];
+  return [
+    duration,
+    {
+      key: "law_ramp",
+      name: t("loads.law_ramp"),
+      value: motion.ramp ?? null,
+      unit: "",
+      low: 0.001,
+      high: 0.5,
+      by: 0.05,
+      optional: true,
+      placeholder: "1/3",
+      with_value: (ramp) => ({...loads, motion: changed(motion, {ramp: ramp ?? undefined})}),
+    },
+  ];
+}
+
 /** Of what nobody has given, with what the engine takes instead. */
 export function rare_lines(loads: Loads, unit: string): NumberLine[] {
   const {gravity = {}, body, pins, rpm} = loads,
@@ -194,6 +239,7 @@ export function rare_lines(loads: Loads, unit: string): NumberLine[] {
       placeholder: "0",
       with_value: (value) => (value || pins?.radius ? with_pins({friction: value ?? 0}) : without_pins(loads)),
     },
+    ...motion_lines(loads),
     {
       key: "rpm",
       name: t("loads.rpm"),
@@ -204,7 +250,7 @@ export function rare_lines(loads: Loads, unit: string): NumberLine[] {
       by: 1,
       optional: true,
       placeholder: t("loads.slowly"),
-      with_value: (value) => changed(loads, {rpm: value ?? undefined}),
+      with_value: (value) => changed(loads, {rpm: value ?? undefined, ...(value === null ? {} : {motion: undefined})}),
     },
     ...(body
       ? [

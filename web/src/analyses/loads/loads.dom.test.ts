@@ -139,6 +139,15 @@ test("coils, torsion springs, a cylinder and what is rarely given are typed", as
     body: {inertia: 1.5},
     rpm: 30,
   });
+  await choose("loads.law", "trapezoid");
+  await type_into("loads.law_duration", "2.5");
+  await type_into("loads.law_ramp", "0.2");
+  expect(given()!.motion).toEqual({law: "trapezoid", duration_s: 2.5, ramp: 0.2});
+  expect(given()).not.toHaveProperty("rpm");
+  await choose("loads.law", "cycloid");
+  expect(given()!.motion).toEqual({law: "cycloid", duration_s: 2.5});
+  await choose("loads.law", "none");
+  expect(given()).not.toHaveProperty("motion");
   await type_into("loads.pin_friction", "5");
   expect(text("loads.row")).toContain("between 0 and 2");
   await press("Escape");

@@ -24,7 +24,12 @@ export const read_out_names: Readonly<Record<ReadOut, TextKey>> = {
   cylinder_force: "loads.cylinder_short",
 };
 /** What plots show. */
-export const shown_names = {hand: "loads.hand_force", torque: "loads.torque", pin: "loads.pin_short"} as const;
+export const shown_names = {
+  hand: "loads.hand_force",
+  torque: "loads.torque",
+  pin: "loads.pin_short",
+  shaking: "loads.shaking_short",
+} as const;
 export interface Told {
   text: string;
   /** What it should be, where it is not that. */
@@ -64,6 +69,9 @@ function closing_text(place: LoadPlace | null): string {
   return place ? `${significant(place.body_turn_deg, digits)}°` : t("loads.never");
 }
 
+/** How far the body has turned there, either way. */
+const turn_of = (place: LoadPlace | null): number | null => place && Math.abs(place.body_turn_deg);
+
 /** The largest of the four, and at which joint. */
 export function largest_pin({pins}: LoadCaseReport): {joint: keyof LoadCaseReport["pins"]; force: number} | null {
   const known = (Object.keys(pins) as (keyof typeof pins)[]).flatMap((joint) =>
@@ -83,18 +91,25 @@ export function missed_limit(
 ): string | null {
   const limit = requirements[limited_by[read_out]] ?? null;
   if (limit === null || value === null || (of && !counts_for(of, read_out as ReadOut))) return null;
-  const text = (of: number, digits?: number) =>
-    read_out === "max_torque" ? torque_text(of, unit, digits) : force_text(of, digits);
-  const is_least = read_out === "hold_open",
+  const text = (of: number, kept = digits) =>
+    read_out === "max_torque"
+      ? torque_text(of, unit, kept)
+      : read_out === "self_rise" || read_out === "self_close"
+        ? `${significant(of, kept)}°`
+        : force_text(of, kept);
+  const is_least = read_out === "hold_open" || read_out === "self_close",
     missing = is_least ? limit - value : value - limit;
   if (!(missing > 0)) return null;
   return t(is_least ? "loads.at_least" : "loads.at_most", {limit: text(limit), by: text(missing, 2)});
 }
 
 /** Of the spring that leaves it free. */
-function strength_rows({cases, best_F1, why_no_F1}: LoadReport): ReadOutRow[] {
+function strength_rows({cases, best_F1, why_no_F1}: LoadReport, {requirements, unit}: About): ReadOutRow[] {
   if (best_F1 === undefined && why_no_F1 === undefined) return [];
-  const told = best_F1 === undefined ? {text: none, limit: t("loads.no_f1")} : {text: force_text(best_F1), limit: null};
+  const told =
+    best_F1 === undefined
+      ? {text: none, limit: t("loads.no_f1")}
+      : {text: force_text(best_F1), limit: missed_limit("best_F1", best_F1, undefined, {requirements, unit})};
   return [{key: "best_F1", worst: null, name: t("loads.best_f1"), values: cases.map(() => told)}];
 }
 function stroke_rows({cases}: LoadReport, unit: string): ReadOutRow[] {
@@ -120,7 +135,7 @@ export function read_out_rows(report: LoadReport, about: About): ReadOutRow[] {
     values: cases.map((of) => ({text: text(of), limit: null})),
   });
   const limited = (
-    read_out: Limited,
+    read_out: Exclude<Limited, "best_F1">,
     name: string,
     value: (of: LoadCaseReport) => number | null,
     text: (of: LoadCaseReport) => string = (of) => force_text(value(of)),
@@ -139,15 +154,25 @@ export function read_out_rows(report: LoadReport, about: About): ReadOutRow[] {
   };
   const has = (key: "max_open_force" | "max_torque" | "cylinder_force") => cases.some((of) => of[key] !== null);
   return [
-    ...strength_rows(report),
+    ...strength_rows(report, about),
     ...(has("max_open_force")
       ? [
           {...limited("max_open_force", t("loads.opens_with"), (of) => of.max_open_force), term: "hand_force" as const},
           limited("max_close_force", t("loads.closes_with"), (of) => of.max_close_force),
           {...limited("hold_open", t("loads.holds_open"), (of) => of.hold_open), term: "hold_open" as const},
           plain("hump", t("loads.hump"), (of) => force_text(of.hump)),
-          plain("self_rise", t("loads.rises_from"), (of) => place_text(of.self_rise)),
-          plain("self_close", t("loads.closes_from"), (of) => closing_text(of.self_close)),
+          limited(
+            "self_rise",
+            t("loads.rises_from"),
+            ({self_rise}) => turn_of(self_rise),
+            ({self_rise}) => place_text(self_rise),
+          ),
+          limited(
+            "self_close",
+            t("loads.closes_from"),
+            ({self_close}) => turn_of(self_close) ?? 0,
+            ({self_close}) => closing_text(self_close),
+          ),
         ]
       : []),
     ...(has("max_torque")
@@ -160,10 +185,18 @@ export function read_out_rows(report: LoadReport, about: About): ReadOutRow[] {
           ),
         ]
       : []),
-    ...(has("cylinder_force")
-      ? [plain("cylinder_force", t("loads.cylinder_force"), (of) => force_text(of.cylinder_force))]
-      : []),
+    ...(has("cylinder_force") ? [limited("cylinder_force", t("loads.cylinder_force"), (of) => of.cylinder_force)] : []),
     limited("max_pin_force", t("loads.largest_pin"), (of) => largest_pin(of)?.force ?? null, pin_text),
+    ...(cases.some(({shaking}) => shaking)
+      ? [
+          {
+            key: "shaking",
+            name: t("loads.shaking"),
+            worst: null,
+            values: cases.map(({shaking}) => ({text: force_text(shaking?.max ?? null), limit: null})),
+          },
+        ]
+      : []),
     ...stroke_rows(report, about.unit),
   ];
 }
