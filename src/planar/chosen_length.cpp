@@ -108,8 +108,8 @@ class LengthTrials {
   void add(const SearchMap& of, LengthSummary& summary) const {
     const RequirementCensus census = of.filter->census();
     summary.meeting += census.meeting;
-    for (std::size_t set = 0; set < census.failing.size(); ++set)
-      if (std::has_single_bit(set)) summary.failing_one += census.failing[set];
+    for (const auto& [set, cells] : census.failing)
+      if (std::has_single_bit(set)) summary.failing_one += cells;
     if (const auto best = tile_bests(*of.map, *of.filter, objective_, 1); !best.empty())
       summary.best_score = std::max(summary.best_score, best.front().score);
     if (requirements_.ground_pivots_within || requirements_.moving_pivots_within)

@@ -99,6 +99,11 @@ void check_tolerances(const PathTask& task, std::vector<Error>& found) {
 
 std::string_view name(PathBetween between) { return between == PathBetween::free ? "free" : "polyline"; }
 
+std::string_view name(CrankTiming timing) {
+  constexpr std::array names = {"free", "relative", "absolute"};
+  return names[static_cast<std::size_t>(timing)];
+}
+
 bool PathTask::asks_for_nearest() const {
   return closed || tolerance || between || std::any_of(points.begin(), points.end(), [](const PathPoint& point) {
            return point.tolerance || point.weight;

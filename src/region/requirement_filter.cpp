@@ -6,6 +6,7 @@
 #include <fmt/format.h>
 #include <mutex>
 #include <tuple>
+#include <unordered_map>
 
 #include "linkwright/core/angle.hpp"
 #include "linkwright/core/count_text.hpp"
@@ -92,13 +93,14 @@ unsigned RequirementFilter::place_failures_at(std::size_t row, std::size_t colum
 
 std::int64_t RequirementCensus::failing_only(RequirementKind kind) const {
   const std::size_t place = place_among(kinds, kind);
-  return place < kinds.size() ? failing[std::size_t{1} << place] : 0;
+  const auto found = failing.find(FailureBits{1} << place);
+  return place < kinds.size() && found != failing.end() ? found->second : 0;
 }
 
 std::int64_t RequirementCensus::left_after(RequirementKind kind) const {
-  const std::size_t these = (std::size_t{2} << place_among(kinds, kind)) - 1;
+  const FailureBits these = (FailureBits{2} << place_among(kinds, kind)) - 1;
   std::int64_t left = 0;
-  for (std::size_t set = 0; set < failing.size(); ++set) left += (set & these) == 0 ? failing[set] : 0;
+  for (const auto& [set, cells] : failing) left += (set & these) == 0 ? cells : 0;
   return left;
 }
 
@@ -115,19 +117,19 @@ std::string joint_relaxation_text(const JointRelaxation& joint) {
 }
 
 std::optional<JointRelaxation> RequirementCensus::joint_relaxation() const {
-  std::size_t best = 0;
   // A linkage with a defect does not do the task: that is given up last.
-  const auto dearness = [&](std::size_t set) {
+  const auto dearness = [&](const auto& failed) {
+    const auto& [set, cells] = failed;
     bool takes_defects = false;
     for (std::size_t k = 0; k < kinds.size(); ++k)
       takes_defects |= kinds[k] == RequirementKind::no_defects && (set >> k & 1) != 0;
-    return std::tuple(takes_defects, std::popcount(set), -failing[set]);
+    return std::tuple(takes_defects, std::popcount(set), -cells);
   };
-  for (std::size_t set = 1; set < failing.size(); ++set)
-    if (failing[set] > 0 && (best == 0 || dearness(set) < dearness(best))) best = set;
-  if (best == 0 || meeting > 0) return std::nullopt;
-  return JointRelaxation{kinds_of(static_cast<FailureBits>(best), kinds),
-                         failing[best]};  // no smaller set holds a cell
+  const auto* best = static_cast<const decltype(failing)::value_type*>(nullptr);
+  for (const auto& failed : failing)
+    if (failed.first != 0 && failed.second > 0 && (!best || dearness(failed) < dearness(*best))) best = &failed;
+  if (!best || meeting > 0) return std::nullopt;
+  return JointRelaxation{kinds_of(best->first, kinds), best->second};  // no smaller set holds a cell
 }
 
 FailureBits RequirementFilter::failures(std::size_t row, std::size_t column) const {
@@ -165,31 +167,28 @@ void RequirementFilter::failures_of_all(std::span<FailureBits> failures, const P
 
 namespace {
 
-/// Counts of cells, four times over, since neighbours are mostly alike and would wait for each other.
+/// Counts of cells. Neighbours mostly fail the same, so that they are counted by runs.
 class CensusCounter {
  public:
   void count(std::span<const FailureBits> failures, std::span<const std::uint8_t> types) {
-    for (std::size_t cell = 0; cell < failures.size(); ++cell) {
-      auto& [failing, met] = turns_[cell % turns_.size()];
-      const bool degenerate = types[cell] == static_cast<std::uint8_t>(LinkageType::degenerate);
-      failing[failures[cell]] += !degenerate;
-      met[types[cell]] += failures[cell] == 0;
+    for (std::size_t cell = 0; cell < failures.size();) {
+      std::size_t end = cell + 1;
+      while (end < failures.size() && failures[end] == failures[cell] && types[end] == types[cell]) ++end;
+      const auto run = static_cast<std::int64_t>(end - cell);
+      if (types[cell] != static_cast<std::uint8_t>(LinkageType::degenerate)) failing_[failures[cell]] += run;
+      if (failures[cell] == 0) met_[types[cell]] += run;
+      cell = end;
     }
   }
   void add_to(RequirementCensus& total) const {
-    for (const auto& [failing, met] : turns_) {
-      for (std::size_t set = 0; set < failing.size(); ++set) total.failing[set] += failing[set];
-      for (std::size_t type = 0; type < met.size(); ++type) total.meeting_types[type] += met[type];
-    }
+    for (const auto& [set, cells] : failing_) total.failing[set] += cells;
+    for (std::size_t type = 0; type < met_.size(); ++type) total.meeting_types[type] += met_[type];
     total.meeting = total.failing[0];
   }
 
  private:
-  struct Turn {
-    std::array<std::int64_t, 1u << max_requirements> failing{};
-    std::array<std::int64_t, linkage_type_count> met{};
-  };
-  std::array<Turn, 4> turns_{};
+  std::unordered_map<FailureBits, std::int64_t> failing_;
+  std::array<std::int64_t, linkage_type_count> met_{};
 };
 
 }  // namespace

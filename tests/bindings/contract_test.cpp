@@ -70,12 +70,22 @@ std::string defect_bits_text() {
                      Defects::order_bit, Defects::branch_bit, Defects::circuit_bit);
 }
 
+// Of some tasks of the kind there are more, at the end.
+template <class Task>
+RequirementKinds most_requirements() {
+  return linkages(linkwright::Task(Task{})).requirements;
+}
+template <>
+RequirementKinds most_requirements<PathTask>() {
+  return near_path_linkages.requirements;
+}
+
 template <class Task>
 void add_requirements(std::string& text) {
   const Json task = Json::parse(write_problem(Problem{.task = Task{}})).at("task");
   const std::string kind = task.at("kind"), mechanism = task.at("mechanism");
   std::vector<std::string_view> keys;
-  for (const RequirementKind each : linkages(linkwright::Task(Task{})).requirements) keys.push_back(key(each));
+  for (const RequirementKind each : most_requirements<Task>()) keys.push_back(key(each));
   text += fmt::format("\"{} {}\": {},\n", kind, mechanism, list(keys));
 }
 template <class... Tasks>

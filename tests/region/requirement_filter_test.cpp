@@ -107,7 +107,7 @@ TEST_F(LandingGearFilter, DroppingARequirementAddsWhatTheCensusPromised) {
 TEST_F(LandingGearFilter, CensusCountsEveryLinkageOnce) {
   const RequirementCensus census = filter().census();
   std::int64_t sum = 0;
-  for (const std::int64_t n : census.failing) sum += n;
+  for (const auto& [set, cells] : census.failing) sum += cells;
   const RegionCounts counts = map.counts();
   EXPECT_EQ(sum, counts.pairs - counts.types[static_cast<std::size_t>(LinkageType::degenerate)]);
 }

@@ -47,7 +47,7 @@ class Region:
 
     @property
     def failures(self) -> Array:
-        """A bit for each of :attr:`requirements` that a cell fails, from the lowest on; uint16, (rows, columns)."""
+        """A bit for each of :attr:`requirements` that a cell fails, from the lowest on; uint32, (rows, columns)."""
         return self._columns["failures"]
 
     @property

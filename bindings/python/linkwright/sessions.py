@@ -27,7 +27,7 @@ class LiveMap:
         input, output: coordinates of rows and columns, float64.
         types: code of the linkage type (:data:`linkwright.linkage_types`), uint8, (rows, columns).
         defects: bits 1 order, 2 branch, 4 circuit, uint8, (rows, columns).
-        failures: a bit for each requirement that a cell fails, uint16, (rows, columns); 0: it meets all.
+        failures: a bit for each requirement that a cell fails, uint32, (rows, columns); 0: it meets all.
         values: the measure that was asked for, float32, (rows, columns); angles in degrees, 0 where not defined.
         counts: linkages by type and defect, those that meet the requirements, what each requirement costs, and which alone
             keeps all others out.

@@ -2,13 +2,13 @@
 
 #include <array>
 #include <cstddef>
-#include <cstdint>
 #include <limits>
 #include <optional>
-#include <string_view>
 #include <vector>
 
 #include "linkwright/algebra/point.hpp"
+#include "linkwright/approximate/curve_error.hpp"
+#include "linkwright/approximate/fit_wishes.hpp"
 #include "linkwright/core/progress.hpp"
 #include "linkwright/core/simd.hpp"
 #include "linkwright/mechanism/four_bar.hpp"
@@ -26,16 +26,6 @@ struct CurveTarget {
   /// That of the bounding box of the points.
   [[nodiscard]] double diagonal() const;
 };
-
-/// How many places and starts are tried: quick and standard take a fixed number, deep some 16 times that of standard.
-enum class FitEffort : std::uint8_t { quick, standard, deep };
-/// "quick", "standard", "deep".
-[[nodiscard]] std::string_view name(FitEffort effort);
-
-/// What is minimised: the weighted sum of squared distances, or the largest distance of a point of weight above 0.
-enum class FitMeasure : std::uint8_t { least_squares, least_largest };
-/// "least_squares", "least_largest".
-[[nodiscard]] std::string_view name(FitMeasure measure);
 
 struct CurveFitOptions {
   static constexpr double unlimited = std::numeric_limits<double>::infinity();
@@ -57,17 +47,6 @@ struct CurveFitOptions {
   std::size_t max_fits = 20;    ///< how many are listed
   int threads = 0;              ///< 0: as many as the machine has; never shows in results
   Simd simd = Simd::automatic;  ///< instruction set of the kernels; all give the same bits
-};
-
-/// How far a path is from the target, user's unit. Distances are those of the points to the path.
-struct CurveError {
-  double sum_of_squares = 0;     ///< weighted
-  double rms = 0;                ///< √(sum_of_squares / sum of weights)
-  double max = 0;                ///< largest distance of a point of weight above 0
-  std::size_t max_at = 0;        ///< index of that point
-  double rms_over_diagonal = 0;  ///< a pure number
-  double excursion = 0;          ///< largest distance of the path between the points from the polygon through them
-  double path_length_ratio = 0;  ///< length of the path over that of the polygon
 };
 
 /// Where the linkage is when its point is nearest to a point of the target.

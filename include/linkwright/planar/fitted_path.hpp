@@ -1,23 +1,12 @@
 #pragma once
 
-#include <array>
 #include <cstddef>
-#include <optional>
 #include <vector>
 
-#include "linkwright/approximate/curve_fit.hpp"
+#include "linkwright/approximate/curve_error.hpp"
 #include "linkwright/mechanism/four_bar.hpp"
 
 namespace linkwright {
-
-/// How it is searched for paths that pass near points.
-struct FitWishes {
-  FitEffort effort = FitEffort::standard;
-  FitMeasure measure = FitMeasure::least_squares;
-  std::optional<double> grashof_margin = 0.003;  ///< as CurveFitOptions::grashof_margin, in [0, 1)
-
-  friend bool operator==(const FitWishes&, const FitWishes&) = default;
-};
 
 /// How near the path of a four-bar passes to the points of its task, user's unit.
 struct FittedPath {

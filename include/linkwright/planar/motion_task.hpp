@@ -22,6 +22,22 @@ struct PivotOnLine {
   friend bool operator==(const PivotOnLine&, const PivotOnLine&) = default;
 };
 
+/// A pose that a body is to pass as near as it can, among others that it passes exactly or as near.
+struct NearPose {
+  /// How far off the body may be there.
+  struct Tolerance {
+    std::optional<double> position;  ///< of its origin, user's unit, > 0
+    std::optional<double> angle;     ///< radians, > 0
+    friend bool operator==(const Tolerance&, const Tolerance&) = default;
+  };
+
+  Pose pose;
+  std::size_t after = 0;  ///< how many of the task's `poses` come before it
+  std::optional<Tolerance> tolerance;
+  std::optional<double> weight;  ///< of the squared error, ≥ 0; nothing: 1
+  friend bool operator==(const NearPose&, const NearPose&) = default;
+};
+
 /// Motion generation: a body shall pass through these poses, in this order. A pose with m derivatives (its direction of
 /// travel, then its curvature, …) counts as m + 1 positions; there are three, four or five of them, in any pattern from
 /// P-P-P to PPPPP.
@@ -36,6 +52,11 @@ struct MotionTask {
   std::optional<std::size_t> relaxed;
   std::vector<PivotOnLine> pivots_on;  ///< four positions: at most one to each grounded link; otherwise none
   std::vector<BodyPoints> points;      ///< what the poses were given by, in their order; empty: by themselves
+
+  std::vector<NearPose> near;  ///< `after` never falls
+  /// Of near poses: by it an error of angle weighs as one of position, user's unit, > 0; nothing: the characteristic
+  /// length of all poses.
+  std::optional<double> turning_length;
 
   friend bool operator==(const MotionTask&, const MotionTask&) = default;
 };

@@ -65,6 +65,15 @@ enum class PathBetween {
 /// "free", "polyline".
 [[nodiscard]] std::string_view name(PathBetween between);
 
+/// How the crank's angles at the points of a path that passes near them count.
+enum class CrankTiming {
+  free,      ///< not at all
+  relative,  ///< as turns, from any datum and in either sense
+  absolute   ///< as angles from the x axis, counter-clockwise
+};
+/// "free", "relative", "absolute".
+[[nodiscard]] std::string_view name(CrankTiming timing);
+
 /// What a path task leaves open, and thereby what its map runs over.
 enum class PathForm {
   cranks,         ///< four or five timed positions: pairs of cranks
@@ -91,6 +100,8 @@ struct PathTask {
   bool closed = false;                 ///< from the last point on to the first, by an input that turns fully
   std::optional<double> tolerance;     ///< of all points without their own, user's unit, > 0
   std::optional<PathBetween> between;  ///< nothing: free
+  std::optional<CrankTiming>
+      crank_timing;  ///< nothing: relative where all points have an angle of the crank, else free
 
   [[nodiscard]] const LinkageClass& linkage_class() const {
     return is_approximate() ? near_path_linkages : path_linkages;

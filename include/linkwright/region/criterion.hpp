@@ -30,6 +30,7 @@ enum class RequirementKind : std::uint8_t {
   min_stroke,
   max_deviation,
   full_turn,
+  max_path_error,
   max_tolerance_error,
   min_yield,
   max_open_force,
@@ -116,10 +117,10 @@ struct Criterion {
 
 /// Requirements of one class of linkages, in the order in which they are told: each is a bit of what a cell fails.
 using RequirementKinds = std::span<const RequirementKind>;
-inline constexpr std::size_t max_requirements = 16;
+inline constexpr std::size_t max_requirements = 24;
 /// What a cell fails: a bit to each of them, from the lowest on.
-using FailureBits = std::uint16_t;
-inline constexpr FailureBits all_failures = (1u << max_requirements) - 1;
+using FailureBits = std::uint32_t;
+inline constexpr FailureBits all_failures = (FailureBits{1} << max_requirements) - 1;
 
 /// Those whose bits are set.
 [[nodiscard]] std::vector<RequirementKind> kinds_of(FailureBits failures, RequirementKinds kinds);

@@ -68,6 +68,7 @@ inline constexpr auto path_requirements = joined(
         RequirementKind::max_link_ratio, RequirementKind::max_length, RequirementKind::min_length,
         RequirementKind::ground_pivots_within, RequirementKind::moving_pivots_within, RequirementKind::full_turn}),
     load_requirements);
+inline constexpr auto near_path_requirements = joined(path_requirements, std::array{RequirementKind::max_path_error});
 inline constexpr auto spherical_requirements = with_analyses(
     std::array{RequirementKind::types, RequirementKind::no_defects, RequirementKind::min_transmission_angle,
                RequirementKind::min_link_angle, RequirementKind::max_link_angle, RequirementKind::fixed_axes_within,
@@ -99,7 +100,7 @@ inline constexpr LinkageClass unloaded_linkages = {class_members::planar_types, 
 inline constexpr LinkageClass path_linkages = {class_members::planar_types, class_members::path_requirements,
                                                class_members::path_objectives};
 /// Of paths that pass near points; the smallest error ranks them where nothing else is asked for.
-inline constexpr LinkageClass near_path_linkages = {class_members::planar_types, class_members::path_requirements,
+inline constexpr LinkageClass near_path_linkages = {class_members::planar_types, class_members::near_path_requirements,
                                                     class_members::near_path_objectives};
 inline constexpr LinkageClass spherical_linkages = {
     class_members::spherical_types, class_members::spherical_requirements, class_members::spherical_objectives};

@@ -3,6 +3,7 @@
 #include <array>
 #include <cstdint>
 #include <functional>
+#include <map>
 #include <optional>
 #include <span>
 #include <string>
@@ -43,7 +44,8 @@ struct RequirementCensus {
   RequirementKinds kinds;  ///< those of the class of linkages
   std::int64_t meeting = 0;
   /// Cells, the degenerate left out, by the set of requirements they fail: a bit for each of the kinds, in their order.
-  std::array<std::int64_t, 1u << max_requirements> failing{};
+  /// Sets that no cell fails may be missing.
+  std::map<FailureBits, std::int64_t> failing;
 
   std::array<std::int64_t, linkage_type_count> meeting_types{};  ///< by LinkageType
 

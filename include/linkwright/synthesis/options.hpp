@@ -4,9 +4,9 @@
 #include <optional>
 #include <vector>
 
+#include "linkwright/approximate/fit_wishes.hpp"
 #include "linkwright/core/result.hpp"
 #include "linkwright/loads/loads.hpp"
-#include "linkwright/planar/fitted_path.hpp"
 #include "linkwright/planar/six_bar_synthesis.hpp"
 #include "linkwright/region/best_cells.hpp"
 #include "linkwright/region/map_axis.hpp"

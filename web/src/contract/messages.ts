@@ -126,7 +126,7 @@ export interface MapAnswer {
   // rows × columns, row-major [input][output]
   type: Uint8Array;
   defects: Uint8Array;
-  fails: Uint16Array;
+  fails: Uint32Array;
   value: Float32Array;
   census: Census;
   /** Along each axis the best objective (property value) that meets everything, 0 where none, and its partner's index. */
@@ -172,7 +172,7 @@ export interface Linkage {
   drive: Drive | null; // null: a slider or zero link
 }
 /** Bits failed along the curve samples of each side when one grounded link is held and the other slides. */
-export type Live = Record<Side, Uint16Array>;
+export type Live = Record<Side, Uint32Array>;
 
 // ---- one instant ----------------------------------------------------------------------------------------------
 

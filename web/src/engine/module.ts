@@ -9,7 +9,7 @@ export interface MapArrays {
   output_tau: Float64Array;
   type: Uint8Array;
   defects: Uint8Array;
-  fails: Uint16Array;
+  fails: Uint32Array;
   value: Float32Array;
   ridge_input: Float32Array;
   ridge_input_partner: Uint32Array;
@@ -33,7 +33,7 @@ export interface Session {
     order: number,
   ): {task: string; curves: DyadPolygon; output_curves: DyadPolygon | null; map: MapArrays | null};
   linkage(input_tau: number, output_tau: number): {linkage: string; states: Float64Array; tolerance: string};
-  live(input_tau: number, output_tau: number): {input: Uint16Array; output: Uint16Array};
+  live(input_tau: number, output_tau: number): {input: Uint32Array; output: Uint32Array};
   tolerance(input_tau: number, output_tau: number, bins: number, drawn: number): {report: string; drawn: Float64Array};
   /** JSON text; empty where there is none. */
   loads(input_tau: number, output_tau: number): string;

@@ -33,9 +33,9 @@ const stored = untyped as unknown as Stored;
 function unpacked(text: string): Uint8Array<ArrayBuffer> {
   return inflateSync(Uint8Array.from(atob(text), (letter) => letter.charCodeAt(0))) as Uint8Array<ArrayBuffer>;
 }
-/** What cells fail: two bytes each. */
-function unpacked_bits(text: string): Uint16Array {
-  return new Uint16Array(unpacked(text).slice().buffer);
+/** What cells fail: four bytes each. */
+function unpacked_bits(text: string): Uint32Array {
+  return new Uint32Array(unpacked(text).slice().buffer);
 }
 /** The reverse of packed_numbers() in scripts/bake.mjs. */
 function unpacked_numbers(text: string, width = 1): Float64Array {
@@ -79,7 +79,7 @@ export function thinned(map: MapAnswer, most: number): MapAnswer {
     output_tau: Float64Array.from(columns, (column) => map.output_tau[column]!),
     type: Uint8Array.from(cells, (cell) => map.type[cell]!),
     defects: Uint8Array.from(cells, (cell) => map.defects[cell]!),
-    fails: Uint16Array.from(cells, (cell) => map.fails[cell]!),
+    fails: Uint32Array.from(cells, (cell) => map.fails[cell]!),
     value: Float32Array.from(cells, (cell) => map.value[cell]!),
   };
 }
@@ -145,7 +145,7 @@ export interface Thumbnail {
   rows: number; // 0: there is no map
   columns: number;
   type: Uint8Array; // as in MapAnswer
-  fails: Uint16Array;
+  fails: Uint32Array;
   /** The best linkage: centre and circle point of the input, then of the output. */
   linkage: {tau: TauPair; type: LinkageType; pivots: [Point, Point, Point, Point]} | null;
 }
@@ -160,6 +160,6 @@ function thumbnail_of(found: StoredThumbnail): Thumbnail {
   return {
     ...found,
     type: has_map ? unpacked(found.type) : new Uint8Array(),
-    fails: has_map ? unpacked_bits(found.fails) : new Uint16Array(),
+    fails: has_map ? unpacked_bits(found.fails) : new Uint32Array(),
   };
 }

@@ -82,6 +82,8 @@ export interface PropertyDescription<T extends Task = Task> {
   levels(span: readonly [number, number]): number[];
 }
 interface NamedRequirement {
+  /** Not all of the kind's tasks have it. */
+  is_of?(task: Task): boolean;
   /** Of its row, and in sentences. */
   name: TextKey;
   short: TextKey;

@@ -21,7 +21,7 @@ const map = {
   window: whole,
   type: Uint8Array.of(0, 0, 2, 9),
   defects: Uint8Array.of(0, 0, 2, 0),
-  fails: Uint16Array.of(0, 4, 2, 127),
+  fails: Uint32Array.of(0, 4, 2, 127),
   value: Float32Array.of(90, 45, 0, 0),
 } as MapAnswer;
 

@@ -11,7 +11,7 @@ const map = {
   input_tau: new Float64Array(8),
   output_tau: new Float64Array(1),
   value: new Float32Array([1, 2, 0, 3, 4, 5, 6, 7]),
-  fails: new Uint16Array([0, 0, 0, 0, 4, 4, 4, 4]),
+  fails: new Uint32Array([0, 0, 0, 0, 4, 4, 4, 4]),
   type: new Uint8Array(8),
 } as unknown as MapAnswer;
 

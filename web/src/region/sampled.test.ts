@@ -4,7 +4,7 @@ import {sampled_cells} from "./sampled";
 describe("cells whose yield is sampled", () => {
   const rows = 20,
     columns = 20,
-    fails = new Uint16Array(rows * columns);
+    fails = new Uint32Array(rows * columns);
   const cells = (done: number, ignored = 0) =>
     [...sampled_cells({rows, columns, fails}, done, ignored).entries()].flatMap(([cell, is]) => (is ? [cell] : []));
   it("come coarse to fine", () => {

@@ -23,7 +23,7 @@ const map = {
   rows: 200,
   columns: 100,
   type: Uint8Array.from({length: 20_000}, (_, cell) => Math.floor(cell / 100) % 7),
-  fails: Uint16Array.from({length: 20_000}, (_, cell) => cell % 300),
+  fails: Uint32Array.from({length: 20_000}, (_, cell) => cell % 300),
 } as MapAnswer;
 const linkage = {
   tau: [0.5, 1.5],

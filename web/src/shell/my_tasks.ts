@@ -39,7 +39,7 @@ export function picture_of(map: MapAnswer | null, linkage: Linkage | null): Thum
   const rows = map ? Math.min(map.rows, picture_side) : 0,
     columns = map ? Math.min(map.columns, picture_side) : 0,
     type = new Uint8Array(rows * columns),
-    fails = new Uint16Array(rows * columns);
+    fails = new Uint32Array(rows * columns);
   for (let cell = 0; map && cell < type.length; ++cell) {
     const row = Math.floor(((Math.floor(cell / columns) + 0.5) * map.rows) / rows),
       column = Math.floor((((cell % columns) + 0.5) * map.columns) / columns);
@@ -54,12 +54,17 @@ function sketched(linkage: Linkage): Thumbnail["linkage"] {
     pivots: readonly (Pivot | null)[] = own ?? [input.center, input.circle, output.center, output.circle];
   return pivots.includes(null) ? null : ({tau, type, pivots} as unknown as Thumbnail["linkage"]);
 }
+/** Four bytes to a cell; pictures kept by earlier pages have two. */
+function unpacked_bits(bytes: Uint8Array<ArrayBuffer>, cells: number): Uint32Array {
+  const {buffer} = bytes.slice();
+  return bytes.length === 2 * cells ? Uint32Array.from(new Uint16Array(buffer)) : new Uint32Array(buffer);
+}
 function read_picture(value: unknown): Thumbnail | null {
   if (!is_object(value)) return null;
   const {rows, columns, linkage} = value as unknown as Packed;
   try {
     const type = unpacked(value.type),
-      fails = new Uint16Array(unpacked(value.fails).slice().buffer);
+      fails = unpacked_bits(unpacked(value.fails), type.length);
     if (type.length !== rows * columns || fails.length !== type.length) return null;
     return {title: "", rows, columns, type, fails, linkage: is_drawn(linkage) ? linkage : null};
   } catch {

@@ -10,7 +10,7 @@ it("a small map has the input upwards and four kinds of cells", () => {
     rocker_crank: "#ff0000",
   };
   const type = Uint8Array.from([1, 1, 0, 9]),
-    fails = Uint16Array.from([0, 2, 4, 127]);
+    fails = Uint32Array.from([0, 2, 4, 127]);
   const pixels = painted({rows: 2, columns: 2, type, fails}, colors, 2),
     at = (i: number) => [...pixels.slice(4 * i, 4 * i + 4)];
   expect(at(2)).toEqual([255, 0, 0, 255]); // row 0 lies at the bottom

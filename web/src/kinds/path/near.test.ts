@@ -75,6 +75,9 @@ describe("its form", () => {
     const by_error = problem({closed: true}, {options: {objective: "path_error", best: 3}});
     expect(with_form(by_error, "angles", null).options).toEqual({best: 3});
     expect(with_closed(by_error, false).options).toEqual({objective: "path_error", best: 3});
+    const bounded = problem({closed: true}, {requirements: {max_path_error: 2, max_length: 900}});
+    expect(with_form(bounded, "angles", null).requirements).toEqual({max_length: 900});
+    expect(with_closed(bounded, false).requirements).toEqual({max_path_error: 2, max_length: 900});
   });
   it("is read and written whole", () => {
     const whole = {...task(problem({closed: true, tolerance: 0.5, between: "polyline"}))};

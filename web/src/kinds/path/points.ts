@@ -1,6 +1,6 @@
 // The points of a path task, their angles and what is given beside them, as they are edited.
 import type {Linkage, Point, Side} from "../../contract/messages";
-import {round_step, with_options, with_task, type Problem} from "../../state/problem";
+import {round_step, with_options, with_requirements, with_task, type Problem} from "../../state/problem";
 import {diagonal_of} from "../../state/task";
 import {multiple} from "../../drawing/snapping";
 import {without_unmet} from "../kind_dispatch";
@@ -27,14 +27,16 @@ function changed(problem: Problem, change: (task: PathTask) => PathTask): Proble
 function changed_alike(problem: Problem, change: (task: PathTask) => PathTask): Problem {
   return changed(problem, (task) => (is_near(task) ? kept_near(change(task)) : change(task)));
 }
-/** What is said of how the nearest paths are found, and ranked, goes with such tasks only. */
+/** What is said of how the nearest paths are found, ranked and chosen goes with such tasks only. */
 function fitting_options(problem: Problem): Problem {
-  const {options} = problem;
+  const {options, requirements} = problem;
   if (is_near(problem.task as PathTask)) return problem;
-  const by_error = options?.objective === "path_error";
+  const by_error = options?.objective === "path_error",
+    fitting =
+      requirements?.max_path_error === undefined ? problem : with_requirements(problem, {max_path_error: undefined});
   return options?.fit || by_error
-    ? with_options(problem, {fit: undefined, ...(by_error ? {objective: undefined} : {})})
-    : problem;
+    ? with_options(fitting, {fit: undefined, ...(by_error ? {objective: undefined} : {})})
+    : fitting;
 }
 export function with_points(problem: Problem, change: (points: readonly PathPoint[]) => readonly PathPoint[]): Problem {
   return changed_alike(problem, (task) => ({...task, points: change(task.points)}));
