@@ -297,9 +297,11 @@ std::string arm_free_words(const PathTask& task) {
     case PathForm::few:
       return "No parameter is free.";
     case PathForm::nearest:
-      return "The rows of the solution region are the nearest paths that were found, its columns the three four-bars "
-             "that "
-             "trace each.";
+      return fmt::format(
+          "The rows of the solution region are the nearest paths that were found, its columns the {} each.",
+          task.near_timing() == CrankTiming::free       ? "three four-bars that trace"
+          : task.near_timing() == CrankTiming::relative ? "two four-bars with cranks that turn alike and trace"
+                                                        : "four-bar that traces");
     default:
       return fmt::format("{}the lengths of the {} and of the arm from it to the point. {}", two,
                          task.pivots.input ? "crank" : "output link", layer_words(task));

@@ -32,17 +32,24 @@ struct TimedState {
 
   TimedState(const CouplerLinkage& l, const LoopState& at) : loop(l, at) {
     const Point g = loop.g;
-    const TimedNumbers closure = {g.real(), g.imag(), -g.real(), -g.imag(), dot(g, at.e), dot(g, at.u), -l.b,
-                                  0,        0,        loop.f_e};
+    const TimedNumbers closure = {g.real(),     g.imag(), -g.real(), -g.imag(), dot(g, at.e),
+                                  dot(g, at.u), -l.b,     0,         0,         loop.f_e};
     for (std::size_t i = 0; i < timed_dimensions; ++i) coupler_row[i] = -closure[i] / loop.f_u;
   }
 };
 
 std::array<Point, timed_dimensions> point_rows_of(const CouplerLinkage& l, const LoopState& at,
                                                   const TimedState& state) {
-  std::array<Point, timed_dimensions> rows = {
-      Point{1, 0}, Point{0, 1}, Point{}, Point{},           at.e,
-      Point{},     Point{},     at.u,    quarter_turn(at.u), l.a * quarter_turn(at.e)};
+  std::array<Point, timed_dimensions> rows = {Point{1, 0},
+                                              Point{0, 1},
+                                              Point{},
+                                              Point{},
+                                              at.e,
+                                              Point{},
+                                              Point{},
+                                              at.u,
+                                              quarter_turn(at.u),
+                                              l.a * quarter_turn(at.e)};
   const Point by_u = quarter_turn(product(l.p, at.u));
   for (std::size_t i = 0; i < timed_dimensions; ++i) rows[i] += state.coupler_row[i] * by_u;
   return rows;

@@ -16,6 +16,8 @@ struct TimedTask : FitTask {
 struct TimedStart : CurveStart {
   static constexpr unsigned hold_datum = 1u << fit_dimensions;  ///< of `held`
 
+  TimedStart() { branch = 1; }
+
   Point datum{1, 0};      ///< direction of the input where a turn is 1
   bool reversed = false;  ///< it turns against the angles
 

@@ -30,8 +30,8 @@ struct TimedCell {
 
 /// For each of the shapes the cells that are better than those of neighbouring phases; the task's points are 24 at
 /// most. `absolute`: the input's directions are prescribed.
-[[nodiscard]] std::vector<TimedCell> scan_ratios(const TimedTask& task, bool absolute, std::span<const BarRatios> shapes,
-                                                 Simd simd);
+[[nodiscard]] std::vector<TimedCell> scan_ratios(const TimedTask& task, bool absolute,
+                                                 std::span<const BarRatios> shapes, Simd simd);
 
 /// The linkage of a cell at the task's points, its states placed. Nothing where it does not reach.
 [[nodiscard]] std::optional<TimedStart> timed_start(const TimedTask& task, bool absolute, const TimedCell& cell);

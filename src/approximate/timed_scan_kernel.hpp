@@ -5,8 +5,8 @@
 namespace linkwright {
 
 /// Shapes of four-bars at angles of their ground link, a lane to each: the point of the coupler that comes nearest to
-/// the points of a target at given angles of the input is a linear problem (timed_scan.hpp). As a kernel reads and writes
-/// them.
+/// the points of a target at given angles of the input is a linear problem (timed_scan.hpp). As a kernel reads and
+/// writes them.
 struct TimedBlock {
   static constexpr int size = 256, most_points = 24, variants = 4;
   static constexpr double unreached = 1e300;
@@ -15,7 +15,7 @@ struct TimedBlock {
   int count = 0;          ///< lanes beyond it are worked on, too, up to the next multiple of 8, and mean nothing
   int points = 0;         ///< of the target
   bool absolute = false;  ///< the input's direction is prescribed, and not only its turns; variants 0 and 1 alone count
-  double turn[most_points][2];  ///< unit numbers of the input's angles
+  double turn[most_points][2];   ///< unit numbers of the input's angles
   double point[most_points][2];  ///< of the target; their weighted mean is 0
   double weight[most_points];    ///< sum 1
 

@@ -23,12 +23,12 @@ LINKWRIGHT_INLINE Vector<R> conjugate_product(Vector<R> a, Vector<R> b) {
 /// direction E and the target T.
 template <int Width>
 struct TimedSums {
-  TimedVector<Width> input{};                        ///< of E
-  TimedVector<Width> even{}, odd{};                  ///< of V
-  TimedVector<Width> input_even{}, input_odd{};      ///< of conj(E) V
-  TimedVector<Width> input_target{};                 ///< of conj(E) T
-  TimedVector<Width> even_target{}, odd_target{};    ///< of conj(V) T
-  TimedVector<Width> input_mirror{};                 ///< of conj(E) conj(T), and so on
+  TimedVector<Width> input{};                      ///< of E
+  TimedVector<Width> even{}, odd{};                ///< of V
+  TimedVector<Width> input_even{}, input_odd{};    ///< of conj(E) V
+  TimedVector<Width> input_target{};               ///< of conj(E) T
+  TimedVector<Width> even_target{}, odd_target{};  ///< of conj(V) T
+  TimedVector<Width> input_mirror{};               ///< of conj(E) conj(T), and so on
   TimedVector<Width> even_mirror{}, odd_mirror{};
   TimedReal<Width> least{};  ///< of what the closing of the loop takes the root of
 };
@@ -51,7 +51,8 @@ LINKWRIGHT_INLINE TimedSums<Width> timed_sums(const TimedBlock& block, int at) {
     const R across = square_root<Width>(larger(under, R{})) * inverse;
     const TimedVector<Width> odd{R{} - across * w.y, across * w.x};
     const R weight = R{} + block.weight[j];
-    const TimedVector<Width> target{R{} + block.weight[j] * block.point[j][0], R{} + block.weight[j] * block.point[j][1]};
+    const TimedVector<Width> target{R{} + block.weight[j] * block.point[j][0],
+                                    R{} + block.weight[j] * block.point[j][1]};
     const TimedVector<Width> mirror{target.x, R{} - target.y};
     sums.input = sums.input + weight * e;
     sums.even = sums.even + weight * even;

@@ -52,6 +52,26 @@ class NearestPaths(FaceTest):
                         if linkage is result["linkages"][0] and name != "letter_loop":
                             self.assertAlmostEqual(found, told, delta=2e-4)
 
+    def test_a_timed_point_is_where_turning_the_crank_takes_it(self):
+        points = load(ROOT / "examples/flying_knife.json")["task"]["points"]
+        status, output, error = run("solve", ROOT / "examples/flying_knife.json", "-o", "-")
+        self.assertEqual((status, error), (0, ""))
+        for linkage in json.loads(output)["linkages"]:
+            bars, start = FourBar(linkage), complex(*linkage["point"])
+            share = (start - bars.input_circle) / (bars.output_circle - bars.input_circle)
+            turns = [at["input_deg"] for at in linkage["fit"]["at"]]
+            sense = math.copysign(1, turns[-1])
+            joint, angle = bars.output_circle, 0
+            for at, point in zip(linkage["fit"]["at"], points):
+                self.assertAlmostEqual(sense * at["input_deg"], point["input_deg"], places=6)
+                while angle < point["input_deg"]:
+                    angle += 1
+                    moved, joint = bars.driven_to(sense * math.radians(angle), joint)
+                moved, joint = bars.driven_to(sense * math.radians(point["input_deg"]), joint)
+                place = moved + share * (joint - moved)
+                self.assertAlmostEqual(abs(place - complex(point["x"], point["y"])), at["distance"], places=6)
+        self.assertIn("at the angles of the crank given", run("solve", ROOT / "examples/flying_knife.json")[1])
+
     def test_a_file_and_its_result_come_back(self):
         path = ROOT / "examples/bean_stirrer.json"
         result = self.folder / "bean.json"

@@ -11,8 +11,8 @@ namespace linkwright {
 struct CurveTiming {
   /// To each point, radians, counter-clockwise: rising or falling throughout, by less than a turn in all.
   std::vector<double> input;
-  /// Angles of input_fixed → input_moving from the x axis of the fixed frame. Otherwise datum and sense are free: by how
-  /// much the input turns from point to point counts, and not which way round.
+  /// Angles of input_fixed → input_moving from the x axis of the fixed frame. Otherwise datum and sense are free: by
+  /// how much the input turns from point to point counts, and not which way round.
   bool absolute = false;
 };
 
@@ -26,9 +26,9 @@ struct CurveTiming {
 [[nodiscard]] CurveFits fit_timed_curve(const CurveTarget& target, const CurveTiming& timing,
                                         const CurveFitOptions& options = {}, const Progress& progress = {});
 
-/// How near the point of a linkage is to a target at angles of its input, with the datum and the sense for which the sum
-/// of squares is least, unless the timing is absolute; the assembly mode is that in which it lies. The linkage is the
-/// first realisation. Nothing where a link has no length, or where the input does not reach the angles.
+/// How near the point of a linkage is to a target at angles of its input, with the datum and the sense for which the
+/// sum of squares is least, unless the timing is absolute; the assembly mode is that in which it lies. The linkage is
+/// the only realisation told. Nothing where a link has no length, or where the input does not reach the angles.
 [[nodiscard]] std::optional<CurveFit> compare_with_timed_curve(const TracingFourBar& linkage, const CurveTarget& target,
                                                                const CurveTiming& timing,
                                                                const CurveFitOptions& options = {});

@@ -83,22 +83,24 @@ void error_field(FieldVisitor& v, const CurveError& error) {
 }
 
 void nearest_field(FieldVisitor& v, const FittedPath& path) {
-  v.member(Field("at", "Where the linkage is nearest to each point."), true, [&](FieldVisitor& to) {
-    visit_each(to, List{.what = ""}, path.at, [](FieldVisitor& each, const FittedPath::Nearest& nearest) {
-      each.object({.name = "nearest_to_point"}, [&](FieldVisitor& of) {
-        of.shown(Field("point", "From 1."), static_cast<std::int64_t>(nearest.point) + 1, forms::count);
-        of.shown(Field("input_deg", "Turn of the input from position 1."), degrees(nearest.input), Number{});
-        of.shown(Field("place", "Of the path, fixed frame."), std::optional(nearest.place), forms::shown_point);
-        of.shown("distance", nearest.distance, forms::not_negative);
-      });
-    });
-  });
+  v.member(Field("at", "Where the linkage is nearest to each point, or its crank at the angle given there."), true,
+           [&](FieldVisitor& to) {
+             visit_each(to, List{.what = ""}, path.at, [](FieldVisitor& each, const FittedPath::Nearest& nearest) {
+               each.object({.name = "nearest_to_point"}, [&](FieldVisitor& of) {
+                 of.shown(Field("point", "From 1."), static_cast<std::int64_t>(nearest.point) + 1, forms::count);
+                 of.shown(Field("input_deg", "Turn of the input from position 1."), degrees(nearest.input), Number{});
+                 of.shown(Field("place", "Of the path, fixed frame."), std::optional(nearest.place),
+                          forms::shown_point);
+                 of.shown("distance", nearest.distance, forms::not_negative);
+               });
+             });
+           });
 }
 
 void realisations_field(FieldVisitor& v, const FittedPath& path) {
   const Field field("realisations",
-                    "The four-bars that trace the same path (Roberts' theorem), this one first; fixed frame, position "
-                    "1, the point the same in each.");
+                    "The four-bars that trace the same path (Roberts' theorem), this one first; at angles of the crank "
+                    "those whose cranks turn alike. Fixed frame, position 1, the point the same in each.");
   v.member(field, true, [&](FieldVisitor& to) {
     visit_each(to, List{.what = ""}, path.realisations, [](FieldVisitor& each, const FourBar& bars) {
       each.object({.name = "realisation"}, [&](FieldVisitor& of) {
@@ -116,6 +118,7 @@ void fit_field(FieldVisitor& v, const std::optional<FittedPath>& fit) {
   v.member(Field("fit", "Paths that pass near points: how near, in their turn.").written(fit.has_value()), false,
            [&](FieldVisitor& at) {
              at.object({.name = "path_fit", .on_lines = true}, [&](FieldVisitor& to) {
+               to.shown(Field("timed", "Distances are those at the angles of the crank that are given."), path.timed);
                error_field(to, path.error);
                to.shown(Field("within_tolerance", "At all points that have one."), path.outside.empty());
                to.shown(Field("outside", "Points that are farther off than their tolerance, from 1."), outside,
