@@ -1,9 +1,7 @@
 #include "approximate/fit_listing.hpp"
 
 #include <algorithm>
-#include <variant>
 
-#include "approximate/fit_result.hpp"
 #include "approximate/start_list.hpp"
 
 namespace linkwright {
@@ -14,20 +12,6 @@ double measured(const CurveFit& fit, FitMeasure measure) {
 }
 
 }  // namespace
-
-FitLimits scaled_limits(const CurveFitOptions& options, const ScaledTarget& target) {
-  FitLimits limits = limits_of(options, target.closed, target.diagonal);
-  const Box* box = options.windows.ground ? std::get_if<Box>(&*options.windows.ground) : nullptr;
-  if (!box) return limits;
-  const Point low = target.scaled({box->x_low, box->y_low}), high = target.scaled({box->x_high, box->y_high});
-  limits.ground = Box{low.real(), high.real(), low.imag(), high.imag()};
-  return limits;
-}
-
-CouplerLinkage in_user_frame(const CouplerLinkage& l, const ScaledTarget& target) {
-  const double unit = target.radius;
-  return {target.in_user_frame(l.a0), target.in_user_frame(l.b0), unit * l.a, unit * l.h, unit * l.b, unit * l.p};
-}
 
 CurveFits sorted_out(std::vector<FoundCurve> all, const CurveTarget& target, const CurveFitOptions& options) {
   std::stable_sort(all.begin(), all.end(), [&](const FoundCurve& a, const FoundCurve& b) {

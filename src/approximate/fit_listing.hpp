@@ -2,15 +2,10 @@
 
 #include <vector>
 
-#include "approximate/curve_least_squares.hpp"
-#include "approximate/scan_target.hpp"
+#include "approximate/coupler_linkage.hpp"
+#include "linkwright/approximate/curve_fit.hpp"
 
 namespace linkwright {
-
-/// What the options ask for, in the frame in which a target is fitted.
-[[nodiscard]] FitLimits scaled_limits(const CurveFitOptions& options, const ScaledTarget& target);
-
-[[nodiscard]] CouplerLinkage in_user_frame(const CouplerLinkage& linkage, const ScaledTarget& target);
 
 /// A curve as it is told, and as it was found.
 struct FoundCurve {

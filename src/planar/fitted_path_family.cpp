@@ -2,14 +2,17 @@
 
 #include <algorithm>
 #include <array>
+#include <atomic>
 #include <cmath>
 #include <fmt/format.h>
 #include <limits>
 #include <utility>
 
 #include "linkwright/core/angle.hpp"
+#include "linkwright/core/parallel.hpp"
 #include "linkwright/mechanism/driver_sequence.hpp"
 #include "linkwright/planar/four_bar_map.hpp"
+#include "pivot_path_family.hpp"
 
 namespace linkwright {
 namespace {
@@ -69,6 +72,15 @@ Point coupler_turn(const TracingFourBar& linkage, const FourBar& first, const Fi
   });
 }
 
+// On the ground pivots that are given: of the four-bars that trace a curve not all do.
+bool stands_on(const NearestTarget& near, const FourBar& bars) {
+  const double least = 1e-5 * near.target.diagonal();
+  const auto is_at = [&](const std::optional<Point>& given, Point p) {
+    return !given || std::abs(*given - p) <= least;
+  };
+  return is_at(near.pivots.input, bars.input_fixed) && is_at(near.pivots.output, bars.output_fixed);
+}
+
 // Of the points of the task alone, by their numbers there.
 CurveError error_of(const NearestTarget& near, const CurveFit& fit) {
   CurveError error = fit.error;
@@ -90,28 +102,32 @@ CurveError error_of(const NearestTarget& near, const CurveFit& fit) {
 
 }  // namespace
 
-FittedPathFamily::FittedPathFamily(NearestTarget near, std::vector<CurveFit> fits, FitMeasure measure)
-    : PathFamily({near.target.points.front(), near.target.diagonal()},
-                 axis_of(AxisQuantity::fitted_curve, "curve", fits.size()),
-                 axis_of(AxisQuantity::realisation, "realisation", realisations_of(near))),
+FittedPathFamily::FittedPathFamily(NearestTarget near, FitMeasure measure, MapAxis input, MapAxis output)
+    : PathFamily({near.target.points.front(), near.target.diagonal()}, std::move(input), std::move(output)),
       near_(std::move(near)),
-      fits_(std::move(fits)),
       measure_(measure),
       positions_(positions_among(near_.target.points.size(), near_.target.closed)) {}
+
+FittedPathFamily::FittedPathFamily(NearestTarget near, std::vector<CurveFit> fits, FitMeasure measure)
+    : FittedPathFamily(std::move(near), measure, axis_of(AxisQuantity::fitted_curve, "curve", fits.size()),
+                       axis_of(AxisQuantity::realisation, "realisation", realisations_of(near))) {
+  for (CurveFit& fit : fits) fits_.push_back(std::make_shared<const CurveFit>(std::move(fit)));
+}
 
 std::span<const Measure> FittedPathFamily::measures() const { return fitted_measures; }
 
 std::optional<FittedPathFamily::Traced> FittedPathFamily::traced_at(MapPoint place) const {
   if (!(place.input >= 0 && place.output >= 0)) return std::nullopt;
   const auto curve = static_cast<std::size_t>(place.input), realisation = static_cast<std::size_t>(place.output);
-  if (curve >= fits_.size() || realisation >= fits_[curve].realisation_count) return std::nullopt;
-  return Traced{fits_[curve], fits_[curve].realisations[realisation], realisation};
+  if (curve >= fits_.size() || realisation >= fits_[curve]->realisation_count) return std::nullopt;
+  const Traced traced{fits_[curve], realisation};
+  return stands_on(near_, traced.linkage().bars) ? std::optional(traced) : std::nullopt;
 }
 
 std::optional<DyadPair> FittedPathFamily::dyad_pair(MapPoint place) const {
   const auto traced = traced_at(place);
   if (!traced) return std::nullopt;
-  const FourBar& bars = traced->linkage.bars;
+  const FourBar& bars = traced->linkage().bars;
   const auto link = [&](Point center, Point circle, double coordinate) {
     return Dyad{Homogeneous::of(frame().to_working(center)), Homogeneous::of(frame().to_working(circle)),
                 std::floor(coordinate) + 0.5};
@@ -124,9 +140,9 @@ std::vector<PrescribedPose> FittedPathFamily::user_poses(MapPoint place, const F
   std::vector<PrescribedPose> poses;
   const auto traced = traced_at(place);
   if (!traced) return poses;
-  const std::vector<FitState>& states = traced->fit.states;
+  const std::vector<FitState>& states = traced->fit->states;
   for (const std::size_t j : positions_)
-    poses.push_back({{states[j].point, std::arg(coupler_turn(traced->linkage, states.front().bars, states[j]))}, {}});
+    poses.push_back({{states[j].point, std::arg(coupler_turn(traced->linkage(), states.front().bars, states[j]))}, {}});
   return poses;
 }
 
@@ -143,7 +159,7 @@ LinkageFamily::CellAt FittedPathFamily::cells(bool respect_direction) const {
     std::optional<Cell> cell = judge(place, is_worth_it);
     const auto traced = traced_at(place);
     if (!cell || !traced) return cell;
-    const CurveError error = error_of(near_, traced->fit);
+    const CurveError error = error_of(near_, *traced->fit);
     cell->values[planar_measures.size()] = measure_ == FitMeasure::least_largest ? error.max : error.rms;
     if (near_.target.closed) cell->values[0] = cell->values[1];  // it is run all along
     if (near_.target.closed && !input_is_crank(cell->type)) cell->defects.bits |= Defects::branch_bit;
@@ -163,43 +179,52 @@ void FittedPathFamily::fill(RegionMap& map, std::span<const double> input, std::
   constexpr bool of_pairs = false;
   map.lay(input, output, measures(), of_pairs, options);
   map.give_each_cell_a_driver();
-  const CellAt cell_at = cells(respect_direction);
-  for (std::size_t row = 0; row < input.size(); ++row) {
-    map.leave_empty(row, row + 1);
-    for (std::size_t column = 0; column < output.size() && !progress.is_cancelled(); ++column) {
-      const MapPoint place{input[row], output[column]};
-      const auto cell = cell_at(place, [](const Cell&) { return true; });
-      if (!cell) continue;
-      const RegionMap::Cells to = map.cells(row, column);
-      *to.type = static_cast<std::uint8_t>(cell->type);
-      *to.defects = cell->defects.bits;
-      for (std::size_t k = 0; k < measures().size(); ++k) *to.measures[k] = static_cast<float>(cell->values[k]);
-      const FourBar& bars = traced_at(place)->linkage.bars;
-      const DriverSequence order =
-          driver_sequence(bars.input_fixed, bars.input_moving, user_poses(place, bars), respect_direction);
-      map.set_driver(row, column, {order.senses(), static_cast<float>(order.sweep_ccw)});
+  std::atomic<std::size_t> done = 0;
+  parallel_for(input.size(), options.threads, [&](std::size_t begin, std::size_t end) {
+    for (std::size_t row = begin; row < end; ++row) {
+      map.leave_empty(row, row + 1);
+      fill_row(map, row, input[row], output, respect_direction, progress);
+      progress(static_cast<double>(++done) / static_cast<double>(input.size()));
     }
+  });
+}
+
+void FittedPathFamily::fill_row(RegionMap& map, std::size_t row, double input, std::span<const double> output,
+                                bool respect_direction, const Progress& progress) const {
+  const CellAt cell_at = cells(respect_direction);
+  for (std::size_t column = 0; column < output.size() && !progress.is_cancelled(); ++column) {
+    const MapPoint place{input, output[column]};
+    const auto cell = cell_at(place, [](const Cell&) { return true; });
+    if (!cell) continue;
+    const RegionMap::Cells to = map.cells(row, column);
+    *to.type = static_cast<std::uint8_t>(cell->type);
+    *to.defects = cell->defects.bits;
+    for (std::size_t k = 0; k < measures().size(); ++k) *to.measures[k] = static_cast<float>(cell->values[k]);
+    const FourBar& bars = traced_at(place)->linkage().bars;
+    const DriverSequence order =
+        driver_sequence(bars.input_fixed, bars.input_moving, user_poses(place, bars), respect_direction);
+    map.set_driver(row, column, {order.senses(), static_cast<float>(order.sweep_ccw)});
   }
 }
 
 std::optional<FittedPath> FittedPathFamily::fitted_at(MapPoint place) const {
   const auto traced = traced_at(place);
   if (!traced) return std::nullopt;
-  const std::vector<FitState>& states = traced->fit.states;
-  const FourBar& bars = traced->linkage.bars;
+  const CurveFit& fit = *traced->fit;
+  const std::vector<FitState>& states = fit.states;
   FittedPath path;
-  path.error = error_of(near_, traced->fit);
-  path.at_length_limit = traced->fit.at_length_limit;
   path.timed = near_.timing.has_value();
-  const std::vector<double>& turns = traced->fit.input_turns[traced->realisation];
+  path.error = error_of(near_, fit);
+  path.at_length_limit = fit.at_length_limit;
+  const std::vector<double>& turns = fit.input_turns[traced->realisation];
   for (std::size_t j = 0; j < states.size(); ++j) {
     if (near_.point[j] == NearestTarget::between) continue;
     path.at.push_back({near_.point[j], turns[j], states[j].point, states[j].distance});
     if (states[j].distance > near_.tolerance[j]) path.outside.push_back(near_.point[j]);
   }
-  path.realisations.push_back(bars);
-  for (std::size_t k = 0; k < traced->fit.realisation_count; ++k)
-    if (k != traced->realisation) path.realisations.push_back(traced->fit.realisations[k].bars);
+  path.realisations.push_back(traced->linkage().bars);
+  for (std::size_t k = 0; k < fit.realisation_count; ++k)
+    if (k != traced->realisation) path.realisations.push_back(fit.realisations[k].bars);
   return path;
 }
 
@@ -207,8 +232,8 @@ std::optional<std::size_t> FittedPathFamily::curve_of(const Pivots& pivots) cons
   const FourBar bars = four_bar_of(pivots);
   const double near = 1e-9 * frame().scale;
   for (std::size_t i = 0; i < fits_.size(); ++i)
-    for (std::size_t k = 0; k < fits_[i].realisation_count; ++k) {
-      const FourBar& known = fits_[i].realisations[k].bars;
+    for (std::size_t k = 0; k < fits_[i]->realisation_count; ++k) {
+      const FourBar& known = fits_[i]->realisations[k].bars;
       if (std::abs(known.input_fixed - bars.input_fixed) <= near &&
           std::abs(known.output_fixed - bars.output_fixed) <= near &&
           std::abs(known.input_moving - bars.input_moving) <= near)
@@ -241,6 +266,8 @@ CurveFitOptions fit_options(const NearestTarget& near, const Requirements& requi
   fit.min_transmission_angle = std::asin(std::min(least_sine, 1.0));
   if (requirements.ground_pivots_within) fit.windows.ground = *requirements.ground_pivots_within;
   if (requirements.moving_pivots_within) fit.windows.moving = *requirements.moving_pivots_within;
+  fit.input_pivot = near.pivots.input;
+  fit.output_pivot = near.pivots.output;
   fit.threads = options.threads;
   fit.simd = options.simd;
   return fit;
@@ -261,6 +288,13 @@ Notice about_search(const NearestTarget& near, const CurveFits& found) {
             {{"shapes", static_cast<double>(places)},
              {"starts", static_cast<double>(starts)},
              {"minima", static_cast<double>(minima)}}};
+  if (near.pivots.count() > 0)
+    return {
+        "path_fitted_to_pivots",
+        fmt::format("The nearest paths from the ground pivot that is given were searched for: {} starts ran into {} "
+                    "different ones. That is evidence, no proof, that none comes nearer.",
+                    starts, minima),
+        {{"starts", static_cast<double>(starts)}, {"minima", static_cast<double>(minima)}}};
   return {"path_fitted",
           fmt::format("The nearest paths were searched for: from {} places of a ground pivot {} starts ran into {} "
                       "different paths. That is evidence, no proof, that none comes nearer.",
@@ -302,8 +336,11 @@ std::optional<Notice> about_straying(const FittedPathFamily& family, const Neare
 }
 
 std::optional<Notice> about_exact(const NearestTarget& near) {
-  // Nine numbers of a curve; two equations to each point at angles of the crank, from a datum that is a tenth.
-  const std::size_t most_exact = !near.timing ? 9 : near.timing->absolute ? 4 : 5;
+  // Nine numbers of a curve, two less to each pivot; two equations to each point at angles of the crank, from a datum
+  // that is a tenth.
+  const std::size_t most_exact = !near.timing            ? 9 - 2 * static_cast<std::size_t>(near.pivots.count())
+                                 : near.timing->absolute ? 4
+                                                         : 5;
   const std::size_t count = near.point_count();
   if (count > most_exact) return std::nullopt;
   return Notice{"exactly_solvable",
@@ -371,10 +408,12 @@ TaskFamily family_of_nearest(const PathTask& task, const Requirements& requireme
     return given;
   }
   if (auto notice = about_tolerance(near, found)) given.warnings.push_back(*std::move(notice));
-  const auto family = std::make_shared<const FittedPathFamily>(near, std::move(found.fits), wishes.measure);
-  if (auto notice = about_straying(*family, near)) given.warnings.push_back(*std::move(notice));
-  given.paths = family;
-  given.family = family;
+  const auto curves = std::make_shared<const FittedPathFamily>(near, found.fits, wishes.measure);
+  if (auto notice = about_straying(*curves, near)) given.warnings.push_back(*std::move(notice));
+  given.paths = curves;
+  if (task.map == NearestMap::pivots)
+    given.paths = std::make_shared<const PivotPathFamily>(near, fit, found.fits, progress);
+  given.family = given.paths;
   return given;
 }
 

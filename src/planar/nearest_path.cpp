@@ -29,10 +29,6 @@ void check_numbers(const PathTask& task, std::vector<Error>& found) {
 }
 
 void check_nothing_else(const PathTask& task, std::vector<Error>& found) {
-  if (task.pivots.count() > 0)
-    found.push_back({"nearest_with_pivots", "task.given",
-                     "ground pivots that are given go with points that are passed exactly; leave them out, and require "
-                     "\"ground_pivots_within\" instead"});
   if (task.box)
     found.push_back({"nearest_with_box", "options.box",
                      "a box goes with five points that are passed exactly; leave it out, and require "
@@ -75,8 +71,18 @@ void check_timing(const PathTask& task, std::vector<Error>& found) {
     found.push_back({"timed_polyline", "task.between",
                      "between points at angles of the crank none are given, so that the path is free there; leave "
                      "\"between\" out, or the angles"});
+  else if (timing != CrankTiming::free && (task.pivots.count() > 0 || task.map == NearestMap::pivots))
+    found.push_back({"timed_near_with_pivots", task.pivots.count() > 0 ? "task.given" : "task.map",
+                     "points that are passed near at angles of the crank go without ground pivots that are given, and "
+                     "without their map; leave them out, and require \"ground_pivots_within\" instead"});
   else if (timed != task.points.end())
     found = mistakes_in_crank_angles(task);
+}
+
+void check_map(const PathTask& task, std::vector<Error>& found) {
+  if (task.map == NearestMap::pivots && task.pivots.count() > 0)
+    found.push_back({"pivot_map_with_pivots", "task.map",
+                     "places of a ground pivot are mapped where none is given; leave the pivots out, or the map"});
 }
 
 void check_count(const PathTask& task, std::vector<Error>& found) {
@@ -135,8 +141,10 @@ std::string_view name(CrankTiming timing) {
   return names[static_cast<std::size_t>(timing)];
 }
 
+std::string_view name(NearestMap map) { return map == NearestMap::curves ? "curves" : "pivots"; }
+
 bool PathTask::asks_for_nearest() const {
-  return closed || tolerance || between || crank_timing ||
+  return closed || tolerance || between || map || crank_timing ||
          std::any_of(points.begin(), points.end(),
                      [](const PathPoint& point) { return point.tolerance || point.weight; });
 }
@@ -160,8 +168,8 @@ std::optional<double> PathTask::tolerance_at(std::size_t point) const {
 
 std::vector<Error> mistakes_in_nearest(const PathTask& task) {
   using Check = void (*)(const PathTask&, std::vector<Error>&);
-  constexpr std::array checks = {Check{check_numbers}, Check{check_nothing_else}, Check{check_timing},
-                                 Check{check_count}, Check{check_tolerances}};
+  constexpr std::array<Check, 7> checks = {check_numbers, check_nothing_else, check_timing,    check_map,
+                                           check_count,   check_pivots,       check_tolerances};
   std::vector<Error> found;
   for (const auto check : checks)
     if (found.empty()) check(task, found);
@@ -211,7 +219,8 @@ void take_point(const PathTask& task, std::size_t i, double unit, NearestTarget&
 // Of each side of the polygon its middle, as a point of a quarter of the weight.
 void put_middles_between(NearestTarget& near) {
   constexpr double share = 0.25;
-  const NearestTarget given = std::exchange(near, {{{}, {}, near.target.closed}, {}, {}, {}, std::move(near.warnings)});
+  const NearestTarget given =
+      std::exchange(near, {{{}, {}, near.target.closed}, {}, {}, {}, near.pivots, std::move(near.warnings)});
   const std::size_t count = given.point.size();
   for (std::size_t j = 0; j < count; ++j) {
     near.target.points.push_back(given.target.points[j]);
@@ -246,6 +255,7 @@ NearestTarget nearest_target(const PathTask& task) {
   NearestTarget near;
   near.target.closed = task.closed;
   if (task.near_timing() != CrankTiming::free) return timed_target(task);
+  near.pivots = task.pivots;
   const double extent = extent_of(task), unit = tolerance_unit(task);
   std::vector<std::size_t> repeated, closing;
   std::size_t last = task.points.size();

@@ -24,6 +24,7 @@ struct NearestTarget {
   std::optional<CurveTiming> timing;  ///< nothing: free
   std::vector<std::size_t> point;     ///< index in the task, rising; `between`: a middle of a side of the polygon
   std::vector<double> tolerance;      ///< infinite where none is given
+  GroundPivots pivots;                ///< that are given
   std::vector<Notice> warnings;       ///< points that were left out: equal neighbours, a closed path's first at its end
 
   /// Of the task, those left out not counted.

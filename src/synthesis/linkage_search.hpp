@@ -40,7 +40,8 @@ class LinkageSearch {
   /// Refers to all of them; where it begins is counted.
   LinkageSearch(const LinkageFamily& family, const Making<Solution>& making, const Findings& findings,
                 const CountedRegion& counted, const Progress& progress)
-      : evaluator_(family, findings.requirements, findings.options.objective, counted.window, findings.added),
+      : family_(family),
+        evaluator_(family, findings.requirements, findings.options.objective, counted.window, findings.added),
         making_(making),
         maps_(counted.maps(findings.region)),
         options_(findings.options),
@@ -123,6 +124,8 @@ class LinkageSearch {
     std::sort(closer.begin(), closer.end(), ranks_first);
     if (closer.size() > most) closer.resize(most);
     found.insert(found.end(), closer.begin(), closer.end());
+    for (const MapPoint place : family_.known_places())
+      if (const auto candidate = evaluator_.candidate(place)) found.push_back({*candidate, maps_.front().step});
     return found;
   }
   // The map's numbers are single: a cell on the very edge of a requirement may fail here.
@@ -247,6 +250,7 @@ class LinkageSearch {
     Solution linkage;
   };
 
+  const LinkageFamily& family_;
   Evaluator evaluator_;
   const Making<Solution>& making_;
   std::vector<SearchMap> maps_;

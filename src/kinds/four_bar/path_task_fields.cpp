@@ -109,6 +109,11 @@ void fields(FieldVisitor& v, PathTask& task) {
                    "and in either sense; or as angles of the input link from the x axis. Left out: relative where all "
                    "points have one."),
              task.crank_timing, Names<CrankTiming>{{CrankTiming::free, CrankTiming::relative, CrankTiming::absolute}});
+    to.given(
+        Field("map",
+              "The path passes near its points; the map runs over the curves that were found, or over the places of "
+              "the input's ground pivot, each with the nearest path from there."),
+        task.map, Names<NearestMap>{{NearestMap::curves, NearestMap::pivots}});
   });
 }
 
