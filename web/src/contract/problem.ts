@@ -343,7 +343,7 @@ export interface PathGroundPivots {
 export interface PathGiven {
   ground_pivots: PathGroundPivots;
 }
-/** Path generation: a point of the coupler passes places in this order: four or five at given angles of the crank; three with angles of crank or coupler and two without, or four and one; or from given ground pivots, or from one that is searched for in options.box. A point counts as one position, and as one more for each of its derivatives. Or it passes as near as it can to three to 1000 points: where one of closed, tolerance and weight is given, or more than five points and nothing else. */
+/** Path generation: a point of the coupler passes places in this order: four or five at given angles of the crank; three with angles of crank or coupler and two without, or four and one; or from given ground pivots, or from one that is searched for in options.box. A point counts as one position, and as one more for each of its derivatives. Or it passes as near as it can to three to 1000 points: where one of closed, tolerance, weight and timing is given, or more than five points, all at angles of the crank or none, and nothing else. */
 export interface PathTask {
   kind: "path";
   mechanism: "four_bar";
@@ -356,6 +356,10 @@ export interface PathTask {
   tolerance?: number;
   /** The path passes near its points; between them it is free, or keeps to the polyline. */
   between?: "free" | "polyline";
+  /** The path passes near its points: the angles of the crank do not count; or as turns, from any datum and in either sense; or as angles of the input link from the x axis. Left out: relative where all points have one. */
+  timing?: "free" | "relative" | "absolute";
+  /** The path passes near its points; the map runs over the curves that were found, or over the places of the input's ground pivot, each with the nearest path from there. */
+  map?: "curves" | "pivots";
 }
 /** What the linkage is for. */
 export type Task = MotionTask | FunctionTask | SixBarTask | SphericalMotionTask | SphericalFunctionTask | StraightLineTask | PathTask;
@@ -401,6 +405,8 @@ export interface Requirements {
   max_deviation?: number | null;
   /** Paths: the crank turns fully, so that the path is closed. */
   full_turn?: boolean;
+  /** Paths near their points: root mean square of the distances of the points from the path, or the largest of them where that is to be least. */
+  max_path_error?: number | null;
   /** Largest error by tolerances, in their unit: the user's length; of functions and spherical linkages degrees. Needs tolerances; off where it is not given. */
   max_tolerance_error?: number | null;
   /** Least share of sampled linkages that assemble and keep the limit in all positions. Needs tolerances with a limit; off where it is not given. */
