@@ -8,6 +8,7 @@
 #include "linkwright/drawing/svg_drawing.hpp"
 #include "linkwright/files/analysis_file.hpp"
 #include "linkwright/files/csv_table.hpp"
+#include "linkwright/files/outline_file.hpp"
 #include "linkwright/files/problem_file.hpp"
 #include "linkwright/files/result_file.hpp"
 #include "linkwright/files/six_bar_file.hpp"
@@ -50,6 +51,63 @@ int report_on(const Stored& linkage, const AnalyzeArguments& arguments) {
   return arguments.report == "-" || print_answer(words(analysis, arguments.drive)) ? 0 : failure;
 }
 
+// ---- a path and points
+
+Result<ComparedPath> path_of_problem_file(const std::string& file) {
+  const auto problem = read_problem_file(file);
+  if (!problem) return problem.errors();
+  if (const auto* path = std::get_if<PathTask>(&problem->task)) return compared_path(*path);
+  return Error{"no_path_to_compare", "task",
+               "this task has no path that a linkage could be compared with; give a task of kind \"path\", a table of "
+               "points or a drawing"};
+}
+
+/// Of a drawing its first shape, as `outline` lays a path along it.
+Result<ComparedPath> path_to_compare(const AnalyzeArguments& arguments, const std::string& length_unit) {
+  const std::string& file = arguments.compared;
+  if (ends_with(file, ".json")) return path_of_problem_file(file);
+  const auto drawing = read_outlines_file(file);
+  if (!drawing) return drawing.errors();
+  constexpr int usual_points = 48;
+  const DrawnShape& shape = drawing->shapes.front();
+  std::vector<Point> points = drawing->listed ? shape.corners : points_along(shape, usual_points);
+  const double scale = drawing_scale(drawing->unit_mm, length_unit);
+  for (Point& point : points) point *= scale;
+  return compared_path(points, shape.closed || arguments.closed);
+}
+
+bool draw_compared(const AnalyzeArguments& arguments, const LinkageAnalysis& analysis) {
+  return arguments.picture.empty() || write_output(arguments.picture, [&](const TextSink& sink) {
+           sink(draw_comparison(analysis.linkage, *analysis.comparison));
+         });
+}
+
+int report_comparison_of(const StoredLinkage& linkage, const AnalyzeArguments& arguments) {
+  const auto path = path_to_compare(arguments, linkage.length_unit);
+  if (!path) {
+    print_mistakes(arguments.compared, path.errors());
+    return mistake;
+  }
+  std::optional<Point> point;
+  if (!arguments.point.empty()) point = Point{arguments.point[0], arguments.point[1]};
+  auto compared = compare_with_path(linkage, point, *path);
+  if (!compared) {
+    print_mistakes(arguments.linkage, compared.errors());
+    return mistake;
+  }
+  LinkageAnalysis analysis = linkwright::analyze(linkage);
+  analysis.comparison = *std::move(compared);
+  const std::string& report = arguments.report;
+  const bool written =
+      report.empty() || write_output(report, [&](const TextSink& sink) {
+        sink(ends_with(report, ".csv") ? comparison_table(*analysis.comparison) : write_analysis(analysis));
+      });
+  if (!written || !draw_compared(arguments, analysis)) return failure;
+  const std::string text =
+      words(analysis, arguments.drive) + comparison_words(*analysis.comparison, linkage.length_unit);
+  return report == "-" || print_answer(text) ? 0 : failure;
+}
+
 // ---- one instant
 
 constexpr double largest_angle_deg = 1e6, largest_number = 1e12;  // of flags; the latter as in files
@@ -66,6 +124,11 @@ std::optional<Error> mistake_in(const AnalyzeArguments& arguments) {
     return beyond("--input-deg", largest_angle_deg);
   if (arguments.input_acceleration && is_beyond(*arguments.input_acceleration, largest_number))
     return beyond("--input-acceleration", largest_number);
+  if (arguments.instant && !arguments.compared.empty())
+    return Error{"instant_or_comparison", "--compare", "an instant and a path are told one at a time; leave one out"};
+  if (!arguments.instant && arguments.compared.empty() && !(arguments.point.empty() && arguments.picture.empty()))
+    return Error{"flag_without_question", arguments.point.empty() ? "--svg" : "--point",
+                 "this goes with --instant or --compare; give one of them, or leave it out"};
   if (arguments.instant && ends_with(arguments.report, ".csv"))
     return Error{"instant_table", "--output", "an instant has no table; give the file a name that ends in .json"};
   return std::nullopt;
@@ -133,6 +196,14 @@ int report_instant_of_problem(const AnalyzeArguments& arguments) {
   return mistake;
 }
 
+int refuse_comparison(const AnalyzeArguments& arguments, std::string_view linkage) {
+  print_mistakes(arguments.linkage, {{"comparison_of_a_plane", "--compare",
+                                      fmt::format("paths of planar four-bars are compared with points; this is a {}; "
+                                                  "leave --compare out",
+                                                  linkage)}});
+  return mistake;
+}
+
 int refuse_instant(const AnalyzeArguments& arguments, std::string_view linkage) {
   print_mistakes(arguments.linkage,
                  {{"instant_of_a_plane", "--instant",
@@ -163,6 +234,7 @@ int analyze(const AnalyzeArguments& arguments) {
   }
   if (const auto* six_bar = std::get_if<StoredSixBar>(&linkage.value())) {
     if (arguments.instant) return refuse_instant(arguments, "six-bar");
+    if (!arguments.compared.empty()) return refuse_comparison(arguments, "six-bar");
     if (arguments.drive == "input") return report_on(*six_bar, arguments);
     print_mistakes(arguments.linkage, {{"six_bar_driver", "--drive",
                                         "a six-bar is analysed as body 1 drives it, at hinge a; leave --drive out"}});
@@ -170,11 +242,13 @@ int analyze(const AnalyzeArguments& arguments) {
   }
   if (auto* spherical = std::get_if<StoredSphericalFourBar>(&linkage.value())) {
     if (arguments.instant) return refuse_instant(arguments, "spherical four-bar");
+    if (!arguments.compared.empty()) return refuse_comparison(arguments, "spherical four-bar");
     if (arguments.drive == "output") spherical->four_bar = spherical->four_bar.swapped();
     return report_on(*spherical, arguments);
   }
   auto four_bar = std::get<StoredLinkage>(*linkage);
   if (arguments.drive == "output") four_bar.four_bar = four_bar.four_bar.swapped();
+  if (!arguments.compared.empty()) return report_comparison_of(four_bar, arguments);
   return arguments.instant ? report_instant_of(four_bar, arguments) : report_on(four_bar, arguments);
 }
 

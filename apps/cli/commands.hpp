@@ -28,7 +28,9 @@ struct AnalyzeArguments {
   std::optional<double> input_deg;  ///< from the ground link
   std::vector<double> point;        ///< x and y, or empty
   std::optional<double> input_acceleration;
-  std::string picture;  ///< path or empty
+  std::string picture;   ///< path or empty
+  std::string compared;  ///< path of a problem, a table of points or a drawing, or empty
+  bool closed = false;   ///< that path
 };
 [[nodiscard]] int analyze(const AnalyzeArguments& arguments);
 
@@ -42,14 +44,14 @@ struct ExportArguments {
 [[nodiscard]] int export_linkage(const ExportArguments& arguments);
 
 struct OutlineArguments {
-  std::string drawing;  ///< path ending in .dxf or .svg
+  std::string drawing;  ///< path ending in .dxf, .svg or .csv
   std::string problem;  ///< path, or "-" for standard input
   std::string output = "-";
   int shape = 1;                ///< from 1, in the order of the list that is printed
   std::string unit;             ///< of the drawing; empty: what it says itself
   std::optional<double> scale;  ///< lengths of the problem to the drawing's unit
   std::vector<double> at;       ///< x, y and degrees of the drawing's origin in the moving frame, or empty
-  int points = 48;              ///< along a path
+  std::optional<int> points;    ///< along a path; nothing: those of a table, or 48
 };
 [[nodiscard]] int outline(const OutlineArguments& arguments);
 

@@ -37,13 +37,21 @@ void add_instant(CLI::App& command, AnalyzeArguments& arguments) {
       .add_option("--point", arguments.point,
                   "A point x,y of the coupler as the linkage lies in the file (default: the file's point, if any)")
       ->delimiter(',')
-      ->expected(2)
-      ->needs(instant);
+      ->expected(2);
   command
       .add_option("--input-acceleration", arguments.input_acceleration,
                   "Angular acceleration of the input over its squared angular velocity (default 0)")
       ->needs(instant);
-  command.add_option("--svg", arguments.picture, "Draw the instant to this SVG file")->needs(instant);
+  command.add_option("--svg", arguments.picture, "Draw the instant, or what is compared, to this SVG file");
+}
+
+/// Flags of `analyze --compare`.
+void add_comparison(CLI::App& command, AnalyzeArguments& arguments) {
+  CLI::Option* compared = command.add_option(
+      "--compare", arguments.compared,
+      "How near the path of the point comes to those of FILE: a problem with a path, a table x,y as FILE.csv, or a "
+      "drawing, FILE.dxf or FILE.svg");
+  command.add_flag("--closed", arguments.closed, "The points of the table are those of a closed path")->needs(compared);
 }
 
 void add_analyze(CLI::App& app, AnalyzeArguments& arguments) {
@@ -58,6 +66,7 @@ void add_analyze(CLI::App& app, AnalyzeArguments& arguments) {
   command->add_option("-o,--output", arguments.report,
                       "Write the analysis to FILE.json or the motion to FILE.csv (- for JSON on standard output)");
   add_instant(*command, arguments);
+  add_comparison(*command, arguments);
 }
 
 /// Flags of `export` for what is built; lengths in the file's unit.
@@ -113,9 +122,12 @@ void add_export(CLI::App& app, ExportArguments& arguments) {
 }
 
 void add_outline(CLI::App& app, OutlineArguments& arguments) {
-  CLI::App* command = app.add_subcommand(
-      "outline", "Put a shape of a DXF or SVG drawing into a problem file: as the outline of its body, or as its path");
-  command->add_option("DRAWING", arguments.drawing, "Drawing of another program: FILE.dxf (ASCII) or FILE.svg")
+  CLI::App* command = app.add_subcommand("outline",
+                                         "Put a shape of a drawing, or a table of points, into a problem file: as the "
+                                         "outline of its body, or as its path");
+  command
+      ->add_option("DRAWING", arguments.drawing,
+                   "Drawing of another program: FILE.dxf (ASCII) or FILE.svg; or points as FILE.csv")
       ->required();
   command->add_option("PROBLEM", arguments.problem, "Problem file (JSON; - reads standard input)")->required();
   command->add_option("-o,--output", arguments.output,
@@ -137,7 +149,8 @@ void add_outline(CLI::App& app, OutlineArguments& arguments) {
           "shape, else the shape's middle is the frame's origin); of a path in the fixed frame (default 0,0,0)")
       ->delimiter(',')
       ->expected(3);
-  command->add_option("--points", arguments.points, "Of a path: how many points are laid along the shape (default 48)");
+  command->add_option("--points", arguments.points,
+                      "Of a path: how many points are laid along the shape (default 48; of a table its own)");
 }
 
 void add_tolerance(CLI::App& app, ToleranceArguments& arguments) {

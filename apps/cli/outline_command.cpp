@@ -13,6 +13,8 @@
 namespace linkwright::cli {
 namespace {
 
+constexpr int usual_points = 48;  // along a path
+
 /// About how large a body is beside the way that it goes.
 double usual_size(std::span<const PrescribedPose> poses) {
   double left = poses[0].pose.origin.real(), right = left, bottom = poses[0].pose.origin.imag(), top = bottom;
@@ -27,8 +29,9 @@ double usual_size(std::span<const PrescribedPose> poses) {
 }
 
 /// What is wrong with the flags, the drawing's shapes known.
-std::vector<Error> mistakes_in(const OutlineArguments& arguments, std::size_t shapes) {
+std::vector<Error> mistakes_in(const OutlineArguments& arguments, const Drawing& drawing, bool is_path) {
   std::vector<Error> mistakes;
+  const std::size_t shapes = drawing.shapes.size();
   if (arguments.shape < 1 || static_cast<std::size_t>(arguments.shape) > shapes)
     mistakes.push_back({"no_such_shape", "--shape",
                         fmt::format("there is no shape {}; this drawing has 1 to {}", arguments.shape, shapes)});
@@ -43,7 +46,13 @@ std::vector<Error> mistakes_in(const OutlineArguments& arguments, std::size_t sh
       mistakes.push_back({"place_range", "--at", "the drawing's place is finite numbers x,y,degrees of 1e12 at most"});
       break;
     }
-  if (arguments.points < 3 || static_cast<std::size_t>(arguments.points) > PathTask::most_points)
+  const bool as_listed = is_path && drawing.listed && !arguments.points;
+  if (as_listed && drawing.shapes.front().corners.size() > PathTask::most_points)
+    mistakes.push_back({"path_point_range", "--points",
+                        fmt::format("the table has {} points, and a path is laid along 3 to {}; say how many",
+                                    drawing.shapes.front().corners.size(), PathTask::most_points)});
+  const int points = arguments.points.value_or(usual_points);
+  if (points < 3 || static_cast<std::size_t>(points) > PathTask::most_points)
     mistakes.push_back(
         {"path_point_range", "--points", fmt::format("a path is laid along 3 to {} points", PathTask::most_points)});
   return mistakes;
@@ -104,25 +113,17 @@ std::string answer_of(const OutlineArguments& arguments, const Drawing& drawing,
   return text + "\n";
 }
 
-/// Evenly along the shape, as it is drawn; of an open one with both ends.
-std::vector<PathPoint> points_along(const DrawnShape& shape, double scale, const Pose& placed, int count) {
-  std::vector<Point> corners = shape.corners;
-  if (shape.closed) corners.push_back(corners.front());
-  std::vector<double> reached = {0};
-  for (std::size_t i = 1; i < corners.size(); ++i)
-    reached.push_back(reached.back() + std::abs(corners[i] - corners[i - 1]));
+/// The points of a table as they are, unless a number is asked for; of a shape evenly along it.
+std::vector<PathPoint> path_points(const OutlineArguments& arguments, const Drawing& drawing, double scale,
+                                   const Pose& placed) {
+  const DrawnShape& shape = drawing.shapes[static_cast<std::size_t>(arguments.shape - 1)];
   const double size = std::max(shape.width, shape.height);
   std::vector<PathPoint> points;
-  std::size_t side = 1;
-  for (int k = 0; k < count; ++k) {
-    const double way = reached.back() * k / (shape.closed ? count : count - 1);
-    while (side + 1 < corners.size() && reached[side] < way) ++side;
-    const double length = reached[side] - reached[side - 1];
-    const double share = length > 0 ? (way - reached[side - 1]) / length : 0;
-    const Point drawn = corners[side - 1] + share * (corners[side] - corners[side - 1]);
+  for (const Point drawn : drawing.listed && !arguments.points
+                               ? shape.corners
+                               : points_along(shape, arguments.points.value_or(usual_points)))
     points.push_back(
         {rounded(placed.origin + std::polar(scale, placed.angle) * drawn, scale * size), {}, {}, {}, {}, {}});
-  }
   return points;
 }
 
@@ -132,16 +133,17 @@ int path_of_drawing(const OutlineArguments& arguments, const Drawing& drawing, P
   const double scale = scale_of(arguments, drawing, problem.length_unit);
   Pose placed;
   if (!arguments.at.empty()) placed = {{arguments.at[0], arguments.at[1]}, radians(arguments.at[2])};
-  path.points = points_along(shape, scale, placed, arguments.points);
+  path.points = path_points(arguments, drawing, scale, placed);
+  const std::size_t count = path.points.size();
   path.pivots = {};
   path.closed = shape.closed;
   if (!path.is_approximate()) path.between = PathBetween::free;
   problem.task = std::move(path);
   if (!write_output(arguments.output, [&](const TextSink& sink) { sink(write_problem(problem)); })) return failure;
   if (arguments.output == "-") return 0;
-  const std::string text = shapes_text(arguments, drawing, scale, problem.length_unit) +
-                           fmt::format("{} path near {} points along {}\n", shape.closed ? "Closed" : "Open",
-                                       arguments.points, arguments.drawing);
+  const std::string text =
+      shapes_text(arguments, drawing, scale, problem.length_unit) +
+      fmt::format("{} path near {} points along {}\n", shape.closed ? "Closed" : "Open", count, arguments.drawing);
   return print_answer(text) ? 0 : failure;
 }
 
@@ -163,7 +165,7 @@ int outline(const OutlineArguments& arguments) {
     return mistake;
   }
   const auto drawing = read_outlines_file(arguments.drawing);
-  const auto mistakes = drawing ? mistakes_in(arguments, drawing->shapes.size()) : drawing.errors();
+  const auto mistakes = drawing ? mistakes_in(arguments, *drawing, path != nullptr) : drawing.errors();
   if (!mistakes.empty()) {
     print_mistakes(arguments.drawing, mistakes);
     return mistake;

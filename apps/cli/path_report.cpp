@@ -60,6 +60,15 @@ std::string fit_table(const Problem& problem, const PathAnswer& answer) {
                                                              found.fit->outside.size() == 1 ? "" : "s"));
     table.add_row(row);
   }
+  const CrankTiming timing = answer.task.near_timing();
+  if (timing != CrankTiming::free)
+    return "\n" +
+           wrapped(
+               fmt::format("How near the point is to each at the angles of the crank given ({}): root mean square "
+                           "and largest distance, and how far the path strays between them from the polygon "
+                           "through them:",
+                           timing == CrankTiming::relative ? "from any datum, in either sense" : "from the x axis")) +
+           table.text();
   return "\n" +
          wrapped(
              "How near the points lie to each path: root mean square and largest distance, and how far the "

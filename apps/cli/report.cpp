@@ -300,8 +300,11 @@ std::string arm_free_words(const PathTask& task) {
     case PathForm::nearest:
       if (task.map == NearestMap::pivots)
         return fmt::format("{}the place of the input link's ground pivot, at each the nearest path from there.", two);
-      return "The rows of the solution region are the nearest paths that were found, its columns the three four-bars "
-             "that trace each.";
+      return fmt::format(
+          "The rows of the solution region are the nearest paths that were found, its columns the {} each.",
+          task.near_timing() == CrankTiming::free       ? "three four-bars that trace"
+          : task.near_timing() == CrankTiming::relative ? "two four-bars with cranks that turn alike and trace"
+                                                        : "four-bar that traces");
     default:
       return fmt::format("{}the lengths of the {} and of the arm from it to the point. {}", two,
                          task.pivots.input ? "crank" : "output link", layer_words(task));

@@ -34,6 +34,9 @@ namespace linkwright::cli {
 /// What was found, in words and tables for people, at most 100 columns wide.
 [[nodiscard]] std::string report(const Problem& problem, const Answer& answer);
 
+/// How near a path comes to points, in words for people.
+[[nodiscard]] std::string comparison_words(const PathComparison& comparison, const std::string& length_unit);
+
 /// What one instant tells, in words for people.
 [[nodiscard]] std::string instant_words(const LinkageAnalysis& analysis);
 [[nodiscard]] std::string instant_words(const PrescribedInstant& instant);

@@ -89,6 +89,25 @@ struct LoopGradient {
   return {{linkage.a0, moving, linkage.b0, moving + linkage.h * at.u}, traced_point(linkage, at)};
 }
 
+/// All links have lengths, and the point is finite: what the following two ask for.
+[[nodiscard]] inline bool can_move(const TracingFourBar& linkage) {
+  const LinkLengths lengths = linkage.bars.lengths();
+  return lengths.shortest() > 0 && std::isfinite(lengths.perimeter()) && is_finite(linkage.point);
+}
+[[nodiscard]] inline LoopState loop_state(const TracingFourBar& linkage) {
+  const FourBar& bars = linkage.bars;
+  const LinkLengths lengths = bars.lengths();
+  return {(bars.input_moving - bars.input_fixed) / lengths.input,
+          (bars.output_moving - bars.input_moving) / lengths.coupler};
+}
+[[nodiscard]] inline CouplerLinkage coupler_linkage(const TracingFourBar& linkage) {
+  const FourBar& bars = linkage.bars;
+  const LinkLengths lengths = bars.lengths();
+  return {bars.input_fixed, bars.output_fixed,
+          lengths.input,    lengths.coupler,
+          lengths.output,   product(linkage.point - bars.input_moving, std::conj(loop_state(linkage).u))};
+}
+
 /// The same bars, the other fixed pivot first.
 [[nodiscard]] inline CouplerLinkage swapped(const CouplerLinkage& l) { return {l.b0, l.a0, l.b, l.h, l.a, l.h - l.p}; }
 [[nodiscard]] inline LoopState swapped(const CouplerLinkage& linkage, const LoopState& at) {

@@ -11,14 +11,6 @@ namespace {
 
 constexpr double unreached = std::numeric_limits<double>::infinity();
 
-CouplerLinkage coupler_linkage(const TracingFourBar& linkage) {
-  const FourBar& bars = linkage.bars;
-  const LinkLengths lengths = bars.lengths();
-  const Point along = (bars.output_moving - bars.input_moving) / lengths.coupler;
-  return {bars.input_fixed, bars.output_fixed, lengths.input,
-          lengths.coupler,  lengths.output,    product(linkage.point - bars.input_moving, std::conj(along))};
-}
-
 // States of a circuit to each point of a target, in one sense from one state on: the least sum of squares of all that
 // come in turn.
 struct Assignment {
@@ -100,14 +92,9 @@ class CircuitAssignment {
 std::optional<CurveFit> compare_with_curve(const TracingFourBar& linkage, const CurveTarget& target,
                                            const CurveFitOptions& options) {
   require_curve_target(target);
-  const FourBar& bars = linkage.bars;
-  const LinkLengths lengths = bars.lengths();
-  if (!(lengths.shortest() > 0) || !std::isfinite(lengths.perimeter()) || !is_finite(linkage.point))
-    return std::nullopt;
+  if (!can_move(linkage)) return std::nullopt;
   const CouplerLinkage as_it_lies = coupler_linkage(linkage);
-  const LoopState state{(bars.input_moving - bars.input_fixed) / lengths.input,
-                        (bars.output_moving - bars.input_moving) / lengths.coupler};
-  const CouplerCircuit circuit(as_it_lies, state);
+  const CouplerCircuit circuit(as_it_lies, loop_state(linkage));
   if (circuit.states().size() < 3) return std::nullopt;
   CurveStart nearest{as_it_lies, {}};
   for (const std::size_t k : CircuitAssignment(circuit, target).best().states)

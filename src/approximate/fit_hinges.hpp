@@ -6,6 +6,10 @@
 
 namespace linkwright {
 
+/// Of a hinge of the transmission angle, beside distances in a unit in which the points have a root mean square radius
+/// of 1: stiff where the error falls steeply past the limit.
+inline constexpr double branch_weight = 3;
+
 /// A row for each limit of the linkage as a whole that is broken, growing from 0 at the limit.
 void append_linkage_hinges(const FitLimits& limits, const CouplerLinkage& linkage, std::vector<FitRow>& rows);
 

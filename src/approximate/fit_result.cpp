@@ -48,6 +48,16 @@ std::vector<Realisation> realisations_of(const CouplerLinkage& linkage, std::spa
   return all;
 }
 
+// Where the timing counts, those whose inputs turn as this one's.
+std::vector<Realisation> told_realisations(const CouplerLinkage& linkage, std::span<const LoopState> states,
+                                           FirstRealisation choice) {
+  std::vector<Realisation> all = realisations_of(linkage, states);
+  if (choice == FirstRealisation::timed_alone) all.resize(1);
+  if (choice == FirstRealisation::best_timed)
+    std::erase_if(all, [](const Realisation& of) { return of.input != CurveDriver::e; });
+  return all;
+}
+
 double least_sine(const Realisation& of) {
   double least = 1;
   for (const LoopState& at : of.states)
@@ -191,13 +201,13 @@ CouplerLinkage in_user_frame(const CouplerLinkage& l, const ScaledTarget& target
 CurveFit curve_fit_of(const CouplerLinkage& linkage, std::span<const LoopState> states, const CurveTarget& target,
                       const CurveFitOptions& options, FirstRealisation choice) {
   const double diagonal = target.diagonal();
-  const CircuitDrive drive =
-      drive_along_circuit(linkage, states, target.points, target.closed, noise_of(linkage, states, target));
-  const std::vector<Realisation> all = realisations_of(linkage, states);
+  const double noise = is_timed(choice) ? 0 : noise_of(linkage, states, target);  // an input has none
+  const CircuitDrive drive = drive_along_circuit(linkage, states, target.points, target.closed, noise);
+  const std::vector<Realisation> all = told_realisations(linkage, states, choice);
   const FitLimits limits = limits_of(options, target.closed, diagonal);
   std::vector<bool> within;
   for (const Realisation& of : all) within.push_back(keeps(limits, options, of, diagonal));
-  const bool given = choice == FirstRealisation::as_given;
+  const bool given = choice == FirstRealisation::as_given || choice == FirstRealisation::timed_alone;
   const std::size_t first = given ? 0 : best_realisation(all, drive, target.closed, within);
   const Realisation& best = all[first];
 
@@ -207,8 +217,9 @@ CurveFit curve_fit_of(const CouplerLinkage& linkage, std::span<const LoopState> 
     fit.realisations[fit.realisation_count++] = placed(of.linkage, of.states.front());
   };
   list(best);
-  for (std::size_t k = 0; k < all.size(); k += 2)
-    if (k / 2 != first / 2) list(all[k]);
+  const std::size_t of_a_four_bar = is_timed(choice) ? 1 : 2;
+  for (std::size_t k = 0; k < all.size(); k += of_a_four_bar)
+    if (k / of_a_four_bar != first / of_a_four_bar) list(all[k]);
   fit.states = told_states(best, fit.input_turns[0], target);
   fit.error = told_error(fit.states, target, drive);
   fit.drive = verdict(drive, best.input, best.output);

@@ -10,7 +10,13 @@
 namespace linkwright {
 
 /// Which realisation is told first: the one that is best to be driven, or that which is given.
-enum class FirstRealisation : std::uint8_t { best, as_given };
+enum class FirstRealisation : std::uint8_t {
+  best,
+  as_given,
+  best_timed,   ///< the better of the two whose input turns as that of the given one; no other is told
+  timed_alone,  ///< the given one; no other is told
+};
+[[nodiscard]] inline bool is_timed(FirstRealisation choice) { return choice >= FirstRealisation::best_timed; }
 
 /// All that is told of a curve, by a linkage that traces it and its states at the points; user's frame and unit.
 [[nodiscard]] CurveFit curve_fit_of(const CouplerLinkage& linkage, std::span<const LoopState> states,

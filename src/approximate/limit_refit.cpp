@@ -57,6 +57,14 @@ void hold_pivots(const Box& box, CurveStart& start) {
   }
 }
 
+// The states follow the linkage; false where they cannot.
+bool settle(const FitTask& /*task*/, CurveStart& start) {
+  bool closes = true;
+  for (LoopState& state : start.states) closes = close_loop(start.linkage, state) && closes;
+  return closes;
+}
+bool settle(const TimedTask& task, TimedStart& start) { return place_states(task, start); }
+
 double largest_distance(const FitTask& task, const CurveStart& start) {
   double largest = 0;
   for (std::size_t j = 0; j < start.states.size(); ++j)
@@ -65,28 +73,16 @@ double largest_distance(const FitTask& task, const CurveStart& start) {
   return largest;
 }
 
-}  // namespace
-
-double broken_share(const FitLimits& limits, const CurveStart& start) {
-  const Excess excess = excess_of(limits, start);
-  const double length = std::max(excess.longest / limits.max_length, 0.0);
-  const double pivots = std::max(outside(limits.ground, start.linkage.a0), outside(limits.ground, start.linkage.b0));
-  return std::max(
-      {length, limits.min_length > 0 ? excess.shortest / limits.min_length : 0, excess.ratio / limits.max_link_ratio,
-       excess.margin / std::max(std::abs(limits.grashof_margin), 1e-12), excess.sine, excess.turn, pivots, 0.0});
-}
-
-void refit_within_limits(const FitTask& task, CurveStart& start) {
+template <class Task, class Start>
+void refit(const Task& task, Start& start) {
   constexpr int rounds = 6, iterations = 60;
   constexpr double kept = 1e-9;
-  FitTask stricter_task = task;
+  Task stricter_task = task;
   for (int round = 0; round < rounds && broken_share(task.limits, start) > kept; ++round) {
     stricter_task.limits = stricter(stricter_task.limits, excess_of(task.limits, start));
-    CurveStart next = start;
+    Start next = start;
     if (task.limits.ground) hold_pivots(*task.limits.ground, next);
-    bool closes = true;
-    for (LoopState& state : next.states) closes = close_loop(next.linkage, state) && closes;
-    if (!closes) break;
+    if (!settle(task, next)) break;
     evaluate(stricter_task, next);
     next.converged = false;
     improve(stricter_task, next, iterations);
@@ -95,13 +91,14 @@ void refit_within_limits(const FitTask& task, CurveStart& start) {
   evaluate(task, start);
 }
 
-void fit_least_largest(const FitTask& task, CurveStart& start) {
+template <class Task, class Start>
+void shift_weights(const Task& task, Start& start) {
   constexpr int rounds = 60, iterations = 4;
   constexpr double power = 0.7;
   std::vector<double> weights(task.weights.begin(), task.weights.end());
-  FitTask shifted = task;
+  Task shifted = task;
   shifted.weights = weights;
-  CurveStart best = start;
+  Start best = start;
   double least = largest_distance(task, start);
   for (int round = 0; round < rounds && least > 0; ++round) {
     const double largest = largest_distance(task, start);
@@ -123,7 +120,29 @@ void fit_least_largest(const FitTask& task, CurveStart& start) {
     }
   }
   start = std::move(best);
+}
+
+}  // namespace
+
+double broken_share(const FitLimits& limits, const CurveStart& start) {
+  const Excess excess = excess_of(limits, start);
+  const double length = std::max(excess.longest / limits.max_length, 0.0);
+  const double pivots = std::max(outside(limits.ground, start.linkage.a0), outside(limits.ground, start.linkage.b0));
+  return std::max(
+      {length, limits.min_length > 0 ? excess.shortest / limits.min_length : 0, excess.ratio / limits.max_link_ratio,
+       excess.margin / std::max(std::abs(limits.grashof_margin), 1e-12), excess.sine, excess.turn, pivots, 0.0});
+}
+
+void refit_within_limits(const FitTask& task, CurveStart& start) { refit(task, start); }
+void refit_within_limits(const TimedTask& task, TimedStart& start) { refit(task, start); }
+
+void fit_least_largest(const FitTask& task, CurveStart& start) {
+  shift_weights(task, start);
   slide_to_nearest(task, start);
+}
+void fit_least_largest(const TimedTask& task, TimedStart& start) {
+  shift_weights(task, start);
+  evaluate(task, start);
 }
 
 }  // namespace linkwright

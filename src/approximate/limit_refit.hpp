@@ -1,6 +1,6 @@
 #pragma once
 
-#include "approximate/curve_least_squares.hpp"
+#include "approximate/timed_least_squares.hpp"
 
 namespace linkwright {
 
@@ -11,9 +11,11 @@ namespace linkwright {
 /// Hinges give way a little: limits that are broken are set a little stricter, pivots outside their window are moved to
 /// its border and held there, and the rest is fitted again.
 void refit_within_limits(const FitTask& task, CurveStart& start);
+void refit_within_limits(const TimedTask& task, TimedStart& start);
 
 /// Weights are shifted towards the largest distances until the largest is least (C. L. Lawson, 1961), at least that of
 /// all that were met. The task's weights tell which points count.
 void fit_least_largest(const FitTask& task, CurveStart& start);
+void fit_least_largest(const TimedTask& task, TimedStart& start);
 
 }  // namespace linkwright

@@ -10,15 +10,6 @@ namespace {
 
 double log_ratio(double a, double b) { return std::abs(std::log(a / b)); }
 
-// As starts: what one of them leads to, the other does.
-bool same_start(const CouplerLinkage& a, const CouplerLinkage& b) {
-  constexpr double apart = 0.12;
-  const double size = 1 + std::abs(a.a0);
-  if (std::abs(a.a0 - b.a0) > apart * size) return false;
-  if (std::abs(a.b0 - b.b0) > apart * (1 + std::abs(a.b0))) return false;
-  return log_ratio(a.a, b.a) + log_ratio(a.b, b.b) + log_ratio(a.h, b.h) < apart;
-}
-
 // The best that are not the same start, up to `count`; pairs by ascending score.
 void append_distinct(const std::vector<ScannedPair>& pairs, bool clean, bool compact, std::size_t count,
                      std::vector<ScannedPair>& chosen) {
@@ -55,6 +46,13 @@ int branch_of(const CurveStart& start) {
 }
 
 }  // namespace
+
+bool same_start(const CouplerLinkage& a, const CouplerLinkage& b, double apart) {
+  const double size = 1 + std::abs(a.a0);
+  if (std::abs(a.a0 - b.a0) > apart * size) return false;
+  if (std::abs(a.b0 - b.b0) > apart * (1 + std::abs(a.b0))) return false;
+  return log_ratio(a.a, b.a) + log_ratio(a.b, b.b) + log_ratio(a.h, b.h) < apart;
+}
 
 std::vector<ScannedPair> distinct_pairs(std::vector<ScannedPair> pairs, std::size_t count) {
   std::stable_sort(pairs.begin(), pairs.end(), [](const auto& a, const auto& b) { return a.score < b.score; });

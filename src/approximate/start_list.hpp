@@ -9,6 +9,9 @@
 
 namespace linkwright {
 
+/// As starts: what one of them leads to, the other does. `apart`: a share of lengths and of distances from the centre.
+[[nodiscard]] bool same_start(const CouplerLinkage& a, const CouplerLinkage& b, double apart = 0.12);
+
 /// The best pairs that lead to different places, up to `count`: a quarter compact ones with a driver, half others with
 /// a driver, the rest without. Where one kind runs out the next takes its places.
 [[nodiscard]] std::vector<ScannedPair> distinct_pairs(std::vector<ScannedPair> pairs, std::size_t count);

@@ -5,6 +5,7 @@
 #include "files/fields/field_writer.hpp"
 #include "files/instant_fields.hpp"
 #include "files/linkage_fields.hpp"
+#include "files/path_fit_fields.hpp"
 #include "linkwright/core/angle.hpp"
 #include "linkwright/files/csv_table.hpp"
 #include "linkwright/files/label.hpp"
@@ -104,6 +105,23 @@ void instant_fields(FieldVisitor& v, const std::optional<LinkageInstant>& instan
   v.shown_if_any("instant", instant ? std::optional(instant->analysis) : std::nullopt);
 }
 
+void comparison_field(FieldVisitor& v, const std::optional<PathComparison>& comparison) {
+  const PathComparison shown = comparison.value_or(PathComparison{});
+  Field field("comparison", "With --compare: how near the path comes to points, on the circuit of the linkage.");
+  v.member(field.written(comparison.has_value()), false, [&](FieldVisitor& at) {
+    at.object({.name = "path_comparison", .on_lines = true}, [&](FieldVisitor& to) {
+      to.shown(Field("timed", "Distances are those at the angles of the crank that are given."), shown.path.timed);
+      to.shown(Field("closed", "The points are those of a closed path."), shown.target.closed);
+      error_field(to, shown.path.error);
+      nearest_field(to, shown.path);
+      to.shown(Field("one_circuit", "Without disassembly."), shown.drive.one_circuit);
+      to.shown(Field("in_order", "The points come in turn."), shown.drive.in_order);
+      to.shown(Field("input_drives", "The input meets no dead point on the way."), shown.drive.input_drives);
+      to.shown(Field("full_turn", "The input turns fully."), shown.drive.full_turn);
+    });
+  });
+}
+
 }  // namespace
 
 void fields(FieldVisitor& v, const LinkageAnalysis& of) {
@@ -123,6 +141,7 @@ void fields(FieldVisitor& v, const LinkageAnalysis& of) {
     to.member("motion", true, [&](FieldVisitor& at) { visit_motion(at, of.motion); });
     position_errors_field(to, of.linkage);
     instant_fields(to, of.instant);
+    comparison_field(to, of.comparison);
   });
 }
 

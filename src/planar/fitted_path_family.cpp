@@ -42,6 +42,11 @@ std::vector<std::size_t> positions_among(std::size_t states, bool closed) {
   return chosen;
 }
 
+// Of a curve at angles of the crank only those whose cranks turn alike; of absolute angles one.
+std::size_t realisations_of(const NearestTarget& near) {
+  return !near.timing ? most_realisations : near.timing->absolute ? 1 : 2;
+}
+
 Point unit_towards(Point from, Point to) { return (to - from) / std::abs(to - from); }
 
 // By how much a coupler that is turned about the point, which stands at `there`, fails to be held by its links.
@@ -105,7 +110,7 @@ FittedPathFamily::FittedPathFamily(NearestTarget near, FitMeasure measure, MapAx
 
 FittedPathFamily::FittedPathFamily(NearestTarget near, std::vector<CurveFit> fits, FitMeasure measure)
     : FittedPathFamily(std::move(near), measure, axis_of(AxisQuantity::fitted_curve, "curve", fits.size()),
-                       axis_of(AxisQuantity::realisation, "realisation", most_realisations)) {
+                       axis_of(AxisQuantity::realisation, "realisation", realisations_of(near))) {
   for (CurveFit& fit : fits) fits_.push_back(std::make_shared<const CurveFit>(std::move(fit)));
 }
 
@@ -164,7 +169,7 @@ LinkageFamily::CellAt FittedPathFamily::cells(bool respect_direction) const {
 
 std::vector<Cell> FittedPathFamily::all_at(MapPoint place, bool respect_direction) const {
   std::vector<Cell> all;
-  for (std::size_t k = 0; k < most_realisations; ++k)
+  for (std::size_t k = 0; k < realisations_of(near_); ++k)
     if (auto found = cell({place.input, static_cast<double>(k) + 0.5}, respect_direction)) all.push_back(*found);
   return all;
 }
@@ -208,6 +213,7 @@ std::optional<FittedPath> FittedPathFamily::fitted_at(MapPoint place) const {
   const CurveFit& fit = *traced->fit;
   const std::vector<FitState>& states = fit.states;
   FittedPath path;
+  path.timed = near_.timing.has_value();
   path.error = error_of(near_, fit);
   path.at_length_limit = fit.at_length_limit;
   const std::vector<double>& turns = fit.input_turns[traced->realisation];
@@ -267,9 +273,22 @@ CurveFitOptions fit_options(const NearestTarget& near, const Requirements& requi
   return fit;
 }
 
-Notice about_search(const GroundPivots& pivots, const CurveFits& found) {
+CurveFits fits_of(const NearestTarget& near, const CurveFitOptions& options, const Progress& progress) {
+  return near.timing ? fit_timed_curve(near.target, *near.timing, options, progress)
+                     : fit_curve(near.target, options, progress);
+}
+
+Notice about_search(const NearestTarget& near, const CurveFits& found) {
   const auto [places, starts, minima] = found.counts;
-  if (pivots.count() > 0)
+  if (near.timing)
+    return {"timed_path_fitted",
+            fmt::format("The nearest paths at these angles of the crank were searched for: from {} shapes of four-bars "
+                        "{} starts ran into {} different paths. That is evidence, no proof, that none comes nearer.",
+                        places, starts, minima),
+            {{"shapes", static_cast<double>(places)},
+             {"starts", static_cast<double>(starts)},
+             {"minima", static_cast<double>(minima)}}};
+  if (near.pivots.count() > 0)
     return {
         "path_fitted_to_pivots",
         fmt::format("The nearest paths from the ground pivot that is given were searched for: {} starts ran into {} "
@@ -302,6 +321,12 @@ std::optional<Notice> about_straying(const FittedPathFamily& family, const Neare
   const auto path = family.fitted_at({0.5, 0.5});
   if (!path || path->error.excursion <= std::max(of_error * path->error.max, of_diagonal * near.target.diagonal()))
     return std::nullopt;
+  if (near.timing)
+    return Notice{"timed_path_strays",
+                  fmt::format("Between the points the nearest path strays {:.4g} from the polygon through them; give "
+                              "more points there where that matters.",
+                              path->error.excursion),
+                  {{"excursion", path->error.excursion}}};
   return Notice{
       "path_strays",
       fmt::format("Between the points the nearest path strays {:.4g} from the polygon through them; give more "
@@ -311,7 +336,12 @@ std::optional<Notice> about_straying(const FittedPathFamily& family, const Neare
 }
 
 std::optional<Notice> about_exact(const NearestTarget& near) {
-  const std::size_t count = near.point_count(), most_exact = 9 - 2 * static_cast<std::size_t>(near.pivots.count());
+  // Nine numbers of a curve, two less to each pivot; two equations to each point at angles of the crank, from a datum
+  // that is a tenth.
+  const std::size_t most_exact = !near.timing            ? 9 - 2 * static_cast<std::size_t>(near.pivots.count())
+                                 : near.timing->absolute ? 4
+                                                         : 5;
+  const std::size_t count = near.point_count();
   if (count > most_exact) return std::nullopt;
   return Notice{"exactly_solvable",
                 fmt::format("Through {} points some four-bars pass exactly{}; those listed are some that come as near "
@@ -352,7 +382,7 @@ void add_least_largest(const NearestTarget& near, CurveFitOptions options, Curve
   const bool is_kept = std::any_of(found.fits.begin(), found.fits.end(), keeps);
   if (is_kept || options.measure == FitMeasure::least_largest || progress.is_cancelled()) return;
   options.measure = FitMeasure::least_largest;
-  for (CurveFit& fit : fit_curve(near.target, options, progress).fits)
+  for (CurveFit& fit : fits_of(near, options, progress).fits)
     if (keeps(fit)) found.fits.push_back(std::move(fit));
 }
 
@@ -362,15 +392,15 @@ TaskFamily family_of_nearest(const PathTask& task, const Requirements& requireme
                              const RegionOptions& options, const Progress& progress) {
   NearestTarget near = nearest_target(task);
   TaskFamily given;
-  given.pattern = fmt::format("{} points", near.point_count());
+  given.pattern = fmt::format("{} {}points", near.point_count(), near.timing ? "timed " : "");
   given.conditions.frame = {near.target.points.front(), near.target.diagonal()};
   given.size = given.frame().scale;
   given.warnings = near.warnings;
   const CurveFitOptions fit = fit_options(near, with_default_lengths(requirements, given.size), wishes, options);
-  CurveFits found = fit_curve(near.target, fit, progress);
+  CurveFits found = fits_of(near, fit, progress);
   add_least_largest(near, fit, found, progress);
   if (auto notice = about_exact(near)) given.warnings.push_back(*std::move(notice));
-  given.warnings.push_back(about_search(task.pivots, found));
+  given.warnings.push_back(about_search(near, found));
   if (auto notice = about_defects(near, found)) given.warnings.push_back(*std::move(notice));
   given.has_no_dyads = found.fits.empty();
   if (given.has_no_dyads) {

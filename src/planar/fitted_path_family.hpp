@@ -14,7 +14,8 @@
 namespace linkwright {
 
 /// The four-bars whose coupler point passes near the points of a task: rows of their map are the curves that were
-/// found, columns the three four-bars that trace each (Roberts). Their positions are where the point is nearest to some
+/// found, columns the three four-bars that trace each (Roberts), at
+/// angles of the crank the two whose cranks turn alike. Their positions are where the point is nearest to some
 /// of the points, five at most; how near it comes to all of them, fitted_at() says.
 class FittedPathFamily : public PathFamily {
  public:

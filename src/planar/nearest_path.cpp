@@ -24,6 +24,7 @@ void check_numbers(const PathTask& task, std::vector<Error>& found) {
     const PathPoint& point = task.points[i];
     check_number(point.point.real(), "x", place_of_path_point(i) + ".x", found);
     check_number(point.point.imag(), "y", place_of_path_point(i) + ".y", found);
+    if (point.input) check_angle(*point.input, "input_deg", place_of_path_point(i) + ".input_deg", found);
   }
 }
 
@@ -34,14 +35,48 @@ void check_nothing_else(const PathTask& task, std::vector<Error>& found) {
                      "\"ground_pivots_within\" instead"});
   for (std::size_t i = 0; i < task.points.size() && found.empty(); ++i) {
     const PathPoint& point = task.points[i];
-    if (!point.is_plain())
-      found.push_back({"nearest_with_angles", place_of_path_point(i) + (point.input ? ".input_deg" : ".theta_deg"),
-                       "a path that passes near its points has no angles; leave it out here, or give at most five "
-                       "points and neither \"closed\", \"tolerance\" nor \"weight\", which are then passed exactly"});
+    if (point.angle)
+      found.push_back({"nearest_with_angles", place_of_path_point(i) + ".theta_deg",
+                       "a path that passes near its points has no angles of the coupler; leave it out here, or give at "
+                       "most five points and neither \"closed\", \"tolerance\" nor \"weight\", which are then passed "
+                       "exactly"});
     else if (!point.derivatives.empty())
       found.push_back({"nearest_with_derivatives", place_of_path_point(i) + ".derivatives",
                        "a path that passes near its points has no directions; leave them out"});
   }
+}
+
+// All points have an angle of the crank, or none.
+void check_timing(const PathTask& task, std::vector<Error>& found) {
+  const auto is_timed = [](const PathPoint& point) { return point.input.has_value(); };
+  const auto timed = std::find_if(task.points.begin(), task.points.end(), is_timed);
+  const auto untimed = std::find_if_not(task.points.begin(), task.points.end(), is_timed);
+  const auto place = [&](auto point) {
+    return place_of_path_point(static_cast<std::size_t>(point - task.points.begin())) + ".input_deg";
+  };
+  const CrankTiming timing = task.near_timing();
+  if (task.crank_timing && timing != CrankTiming::free && timed == task.points.end())
+    found.push_back({"timing_without_angles", "task.timing",
+                     "angles of the crank are to count, and no point has one; give \"input_deg\" at all points, or "
+                     "leave \"timing\" out"});
+  else if (task.crank_timing && timing == CrankTiming::free && timed != task.points.end())
+    found.push_back({"angles_of_free_timing", place(timed),
+                     "with \"timing\": \"free\" angles of the crank do not count; leave them out, or say "
+                     "\"relative\" or \"absolute\""});
+  else if (timed != task.points.end() && untimed != task.points.end())
+    found.push_back({"nearest_with_some_angles", place(untimed),
+                     "a path that passes near its points has the angle of the crank at all of them or at none; give "
+                     "it here, too, or leave out the others"});
+  else if (timing != CrankTiming::free && task.between == PathBetween::polyline)
+    found.push_back({"timed_polyline", "task.between",
+                     "between points at angles of the crank none are given, so that the path is free there; leave "
+                     "\"between\" out, or the angles"});
+  else if (timing != CrankTiming::free && (task.pivots.count() > 0 || task.map == NearestMap::pivots))
+    found.push_back({"timed_near_with_pivots", task.pivots.count() > 0 ? "task.given" : "task.map",
+                     "points that are passed near at angles of the crank go without ground pivots that are given, and "
+                     "without their map; leave them out, and require \"ground_pivots_within\" instead"});
+  else if (timed != task.points.end())
+    found = mistakes_in_crank_angles(task);
 }
 
 void check_map(const PathTask& task, std::vector<Error>& found) {
@@ -109,15 +144,21 @@ std::string_view name(CrankTiming timing) {
 std::string_view name(NearestMap map) { return map == NearestMap::curves ? "curves" : "pivots"; }
 
 bool PathTask::asks_for_nearest() const {
-  return closed || tolerance || between || map || std::any_of(points.begin(), points.end(), [](const PathPoint& point) {
-           return point.tolerance || point.weight;
-         });
+  return closed || tolerance || between || map || crank_timing ||
+         std::any_of(points.begin(), points.end(),
+                     [](const PathPoint& point) { return point.tolerance || point.weight; });
 }
 
 bool PathTask::is_approximate() const {
   constexpr int most_exact = 5;
   if (asks_for_nearest()) return true;
-  return pivots.count() == 0 && !box && angled_count() == 0 && position_count(points) > most_exact;
+  const int positions = position_count(points);
+  const bool all_timed = is_timed() && positions == static_cast<int>(points.size());
+  return pivots.count() == 0 && !box && (angled_count() == 0 || all_timed) && positions > most_exact;
+}
+
+CrankTiming PathTask::near_timing() const {
+  return crank_timing.value_or(is_timed() ? CrankTiming::relative : CrankTiming::free);
 }
 
 std::optional<double> PathTask::tolerance_at(std::size_t point) const {
@@ -127,7 +168,7 @@ std::optional<double> PathTask::tolerance_at(std::size_t point) const {
 
 std::vector<Error> mistakes_in_nearest(const PathTask& task) {
   using Check = void (*)(const PathTask&, std::vector<Error>&);
-  constexpr std::array<Check, 6> checks = {check_numbers, check_nothing_else, check_map,
+  constexpr std::array<Check, 7> checks = {check_numbers, check_nothing_else, check_timing,    check_map,
                                            check_count,   check_pivots,       check_tolerances};
   std::vector<Error> found;
   for (const auto check : checks)
@@ -179,7 +220,7 @@ void take_point(const PathTask& task, std::size_t i, double unit, NearestTarget&
 void put_middles_between(NearestTarget& near) {
   constexpr double share = 0.25;
   const NearestTarget given =
-      std::exchange(near, {{{}, {}, near.target.closed}, {}, {}, near.pivots, std::move(near.warnings)});
+      std::exchange(near, {{{}, {}, near.target.closed}, {}, {}, {}, near.pivots, std::move(near.warnings)});
   const std::size_t count = given.point.size();
   for (std::size_t j = 0; j < count; ++j) {
     near.target.points.push_back(given.target.points[j]);
@@ -195,11 +236,25 @@ void put_middles_between(NearestTarget& near) {
   }
 }
 
+// At one place a crank may turn on: none is left out.
+NearestTarget timed_target(const PathTask& task) {
+  NearestTarget near;
+  near.target.closed = task.closed;
+  near.timing = CurveTiming{{}, task.near_timing() == CrankTiming::absolute};
+  const double unit = tolerance_unit(task);
+  for (std::size_t i = 0; i < task.points.size(); ++i) {
+    take_point(task, i, unit, near, near.point.size());
+    near.timing->input.push_back(*task.points[i].input);
+  }
+  return near;
+}
+
 }  // namespace
 
 NearestTarget nearest_target(const PathTask& task) {
   NearestTarget near;
   near.target.closed = task.closed;
+  if (task.near_timing() != CrankTiming::free) return timed_target(task);
   near.pivots = task.pivots;
   const double extent = extent_of(task), unit = tolerance_unit(task);
   std::vector<std::size_t> repeated, closing;

@@ -452,6 +452,13 @@ std::vector<Error> mistakes_in(const PathTask& task) {
   return found;
 }
 
+std::vector<Error> mistakes_in_crank_angles(const PathTask& task) {
+  std::vector<Error> found;
+  check_equal_angles(task, found);
+  if (found.empty()) check_sequence(task, found);
+  return found;
+}
+
 std::vector<PrescribedPose> angled_poses(const PathTask& task) {
   std::vector<PrescribedPose> poses;
   for (const std::size_t i : points_that(task, is_angled)) {

@@ -27,10 +27,10 @@ PATTERNS = {"tailgate": "P-P-P-P", "tailgate_struts": "P-P-P-P", "counterbalance
             "ankle_orthosis": "P-P-P-P-P", "universal_joint_like": "P-P-P-P", "film_claw": "P-P-P-P",
             "dough_mixer": "P-P-P-P-P", "windscreen_wiper": "P-P-P", "thread_take_up": "PP-P-P",
             "walking_leg_path": "P-P-P-P-P", "packaging_feeder": "P-P-P-P-P", "garage_door_point": "P-P-P-P-P",
-            "bean_stirrer": "16 points", "walking_foot": "19 points", "film_advance": "15 points", "letter_loop": "22 points",
+            "bean_stirrer": "16 points", "walking_foot": "19 points", "film_advance": "15 points", "flying_knife": "9 timed points", "letter_loop": "22 points",
             "transfer_arch": "15 points"}
 NEAR = {name for name, pattern in PATTERNS.items() if pattern.endswith("points")}  # searched for: not all that there are
-TOLD_OF_NEAR = {"path_fitted", "nearer_with_defects", "path_tolerance_missed", "path_strays", "more_than_best"}
+TOLD_OF_NEAR = {"path_fitted", "timed_path_fitted", "timed_path_strays", "nearer_with_defects", "path_tolerance_missed", "path_strays", "more_than_best"}
 
 # What the function generators are to generate.
 WANTED = {"sine_generator": lambda x: math.sin(math.radians(x)), "log_generator": math.log10, "flow_meter": math.sqrt,

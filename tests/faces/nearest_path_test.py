@@ -52,6 +52,26 @@ class NearestPaths(FaceTest):
                         if linkage is result["linkages"][0] and name != "letter_loop":
                             self.assertAlmostEqual(found, told, delta=2e-4)
 
+    def test_a_timed_point_is_where_turning_the_crank_takes_it(self):
+        points = load(ROOT / "examples/flying_knife.json")["task"]["points"]
+        status, output, error = run("solve", ROOT / "examples/flying_knife.json", "-o", "-")
+        self.assertEqual((status, error), (0, ""))
+        for linkage in json.loads(output)["linkages"]:
+            bars, start = FourBar(linkage), complex(*linkage["point"])
+            share = (start - bars.input_circle) / (bars.output_circle - bars.input_circle)
+            turns = [at["input_deg"] for at in linkage["fit"]["at"]]
+            sense = math.copysign(1, turns[-1])
+            joint, angle = bars.output_circle, 0
+            for at, point in zip(linkage["fit"]["at"], points):
+                self.assertAlmostEqual(sense * at["input_deg"], point["input_deg"], places=6)
+                while angle < point["input_deg"]:
+                    angle += 1
+                    moved, joint = bars.driven_to(sense * math.radians(angle), joint)
+                moved, joint = bars.driven_to(sense * math.radians(point["input_deg"]), joint)
+                place = moved + share * (joint - moved)
+                self.assertAlmostEqual(abs(place - complex(point["x"], point["y"])), at["distance"], places=6)
+        self.assertIn("at the angles of the crank given", run("solve", ROOT / "examples/flying_knife.json")[1])
+
     def test_a_file_and_its_result_come_back(self):
         path = ROOT / "examples/bean_stirrer.json"
         result = self.folder / "bean.json"
@@ -65,6 +85,42 @@ class NearestPaths(FaceTest):
         self.assertEqual(run("export", result, "--linkage", "1", "--format", "json", "-o", exported)[0], 0)
         status, output, error = run("analyze", exported)
         self.assertEqual((status, error), (0, ""), output)
+
+    def test_any_linkage_is_compared_with_points(self):
+        result, linkage, report = (self.folder / name for name in ("film.json", "linkage.json", "report.json"))
+        problem = ROOT / "examples/film_advance.json"
+        self.assertEqual(run("solve", problem, "-o", result)[0], 0)
+        self.assertEqual(run("export", result, "--linkage", 1, "--format", "json", "-o", linkage)[0], 0)
+        picture = self.folder / "compared.svg"
+        status, output, error = run("analyze", linkage, "--compare", problem, "-o", report, "--svg", picture)
+        self.assertEqual((status, error), (0, ""))
+        self.assertIn("Compared with 15 points", output)
+        told, found = load(result)["linkages"][0]["fit"], load(report)["comparison"]
+        self.assertAlmostEqual(found["error"]["rms"], told["error"]["rms"], delta=1e-6)
+        for one, other in zip(told["at"], found["at"]):
+            self.assertAlmostEqual(one["distance"], other["distance"], delta=1e-5)
+        self.assertIn("<svg", picture.read_text())
+        points = [(point["x"], point["y"]) for point in load(problem)["task"]["points"]]
+        table = self.write("points.csv", "x,y\n" + "".join(f"{x},{y}\n" for x, y in points))
+        status, output, error = run("analyze", linkage, "--compare", table, "--closed", "-o", self.folder / "distances.csv")
+        self.assertEqual((status, error), (0, ""))
+        rows = (self.folder / "distances.csv").read_text().splitlines()
+        self.assertEqual(len(rows), 16)
+        whole = whole_path(load(result)["linkages"][0])
+        for row, point in zip(rows[1:], points):
+            self.assertAlmostEqual(float(row.split(",")[5]), distance(whole, complex(*point)), delta=2e-3)
+
+    def test_what_cannot_be_compared_is_told(self):
+        linkage = self.write("linkage.json", {"lengths": {"ground": 4, "input": 1, "coupler": 3, "output": 3.5}})
+        table = self.write("points.csv", "0,0\n1,0\n1,1\n")
+        self.assert_mistake(run("analyze", linkage, "--compare", table), "no point of the coupler")
+        self.assertEqual(run("analyze", linkage, "--compare", table, "--point", "1,2")[0], 0)
+        self.assert_mistake(run("analyze", linkage, "--compare", ROOT / "examples/tailgate.json"), "no path")
+        self.assert_mistake(run("analyze", linkage, "--compare", table, "--instant"), "one at a time")
+        self.assert_mistake(run("analyze", linkage, "--point", "1,2"), "--instant or --compare")
+        wrist = self.write("wrist.json", {"mechanism": "spherical_four_bar",
+                                          "angles_deg": {"ground": 80, "input": 30, "coupler": 70, "output": 75}})
+        self.assert_mistake(run("analyze", wrist, "--compare", table), "planar four-bars")
 
     def test_report_tells_how_near(self):
         status, output, _ = run("solve", ROOT / "examples/letter_loop.json")

@@ -4,7 +4,7 @@ import json
 import math
 import unittest
 
-from face_support import TAILGATE, FaceTest, run
+from face_support import ROOT, TAILGATE, FaceTest, run
 
 SECTION = "0\nSECTION\n2\n{}\n{}0\nENDSEC\n"
 
@@ -21,6 +21,9 @@ def groups(*values):
 def rectangle(x, y, width, height):
     corners = ((x, y), (x + width, y), (x + width, y + height), (x, y + height))
     return groups(0, "LWPOLYLINE", 90, 4, 70, 1) + "".join(groups(10, a, 20, b) for a, b in corners)
+
+
+POINTS = "x;y\n0;9,5\n0;2\n0;-9,5\n4;-10,6\n7,3;1\n4,8;9,2\n0;9,5\n"
 
 
 class Outline(FaceTest):
@@ -113,6 +116,19 @@ class Outline(FaceTest):
         status, output, error = run("solve", target)
         self.assertEqual((status, error), (0, ""), output)
         self.assert_mistake(run("outline", self.folder / "path.dxf", path, "--points", 2), "--points", "3 to 1000")
+
+    def test_a_table_of_points_is_an_outline_and_a_path(self):
+        self.refused("1,5,2,5\n3,5,4,5\n5,5,6,5\n", "line 1", "decimal points, or semicolons", name="loop.csv")
+        self.refused("1,2\n3,4\n", "three lines", name="loop.csv")
+        bean, target = ROOT / "examples/bean_stirrer.json", self.folder / "path.json"
+        for flags, count in (((), 6), (("--points", 20), 20)):
+            self.assertEqual(run("outline", self.write("loop.csv", POINTS), bean, "-o", target, *flags)[0], 0)
+            task = json.loads(target.read_text())["task"]
+            self.assertTrue(task["closed"])
+            self.assertEqual(len(task["points"]), count)
+        many = "".join(f"{k},{k * k % 7}\n" for k in range(1500))
+        self.assert_mistake(run("outline", self.write("many.csv", many), bean), "--points", "1500 points")
+        self.assertEqual(len(self.outline(POINTS, name="loop.csv")[0]), 6)
 
     def test_mistakes(self):
         part = dxf(rectangle(0, 0, 300, 100))

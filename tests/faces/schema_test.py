@@ -55,7 +55,9 @@ BEYOND_SCHEMA = {"repeated_pose", "repeated_pose_a_turn_later", "transmission_an
                  "loads_motion_and_rpm", "loads_motion_ends", "loads_motion_order", "loads_motion_turns_back",
                  "loads_motion_without_unit", "loads_free_upside_down", "loads_free_without_case",
                  "loads_free_without_hand", "loads_two_free_springs", "fit_of_exact_path", "near_path_of_one_place",
-                 "near_path_of_two_places", "near_path_without_weight", "path_error_of_motion", "near_path_pivot_at_a_point", "near_path_pivots_at_one_place"}
+                 "near_path_of_two_places", "near_path_without_weight", "path_error_of_motion", "near_path_pivot_at_a_point", "near_path_pivots_at_one_place",
+                 "timed_path_that_turns_back", "timed_path_with_equal_angles", "timed_path_of_more_than_a_turn", "timed_path_closed_by_its_first_point",
+                 "timed_path_of_one_place", "timed_path_without_weight"}
 
 # Words of refusals that no schema can give: what is wrong is no matter of structure.
 BEYOND_STRUCTURE = ("same", "above the upper", "max_length", "at infinity", "in which the body moves", "the lower number first",

@@ -163,6 +163,19 @@ CARRIED = [
     ("weight of the output on the input", "mass_of(LoadedBody::output,", "mass_of(LoadedBody::input,"),
 ]
 
+TIMED_FIT = [
+    ("coupler on the other side", "-branch * std::sqrt(across)", "branch * std::sqrt(across)"),
+    ("law of cosines", "(l.b * l.b - l.h * l.h - square)", "(l.h * l.h - l.b * l.b - square)"),
+    ("sense of the coupler's turn", "-closure[i] / loop.f_u", "closure[i] / loop.f_u"),
+    ("loop by its output", "dot(g, at.u), -l.b,", "dot(g, at.u), l.b,"),
+    ("datum turns the point the other way", "l.a * quarter_turn(at.e)};", "-l.a * quarter_turn(at.e)};"),
+    ("arm turned the other way", "quarter_turn(at.u),\n", "-quarter_turn(at.u),\n"),
+    ("coupler does not carry the point", "rows[i] += state.coupler_row[i] * by_u", "rows[i] -= state.coupler_row[i] * by_u"),
+    ("crank against its sense", "product(start_.datum, direction_of_turn(by[datum_at]))",
+     "product(start_.datum, std::conj(direction_of_turn(by[datum_at])))"),
+    ("one coordinate left out", "equations_.add(y, off.imag()", "equations_.add(y, off.real()"),
+]
+
 STRAIGHT_LINE_CHECK = ["tests/mutants/straight_line_check.cpp", "tests/support/straight_line_tasks.cpp",
                        "tests/support/random_task.cpp"]
 
@@ -181,6 +194,8 @@ SUBJECTS = {
     "carried": ("src/loads/carried.cpp", ["src/loads/carried.hpp"],
                 ["tests/mutants/statics_check.cpp", "tests/support/random_four_bar.cpp"], CARRIED),
     "statics": ("src/loads/statics.cpp", ["src/loads/statics.hpp"], ["tests/mutants/statics_check.cpp", "tests/support/random_four_bar.cpp"], STATICS),
+    "timed fit": ("src/approximate/timed_least_squares.cpp", [],
+                  ["tests/mutants/fit_check.cpp", "tests/support/random_four_bar.cpp"], TIMED_FIT),
     "instant": ("src/infinitesimal/instant.cpp", [], STRAIGHT_LINE_CHECK, INSTANT),
 }
 

@@ -65,11 +65,72 @@ TEST(NearestPath, TellsWhatDoesNotGoWithIt) {
   task = hexagon();
   task.closed = true;
   task.points[1].input = 0.5;
-  EXPECT_EQ(codes(task), "nearest_with_angles@task.points[1].input_deg");
+  EXPECT_EQ(codes(task), "nearest_with_some_angles@task.points[0].input_deg");
+  task.points[1].input.reset();
+  task.points[1].angle = 0.5;
+  EXPECT_EQ(codes(task), "nearest_with_angles@task.points[1].theta_deg");
   task.points[1] = {{1, 2}, {}, {}, {{{1, 0}, {}, {}}}};
   EXPECT_EQ(codes(task), "nearest_with_derivatives@task.points[1].derivatives");
   task.points = {{{0, 0}, {}, {}, {}}, {{1, 0}, {}, {}, {}}, {{0, 0}, {}, {}, {}}};
   EXPECT_EQ(codes(task), "too_few_near_points@task.points");
+}
+
+PathTask timed_hexagon() {
+  PathTask task = hexagon();
+  for (std::size_t i = 0; i < task.points.size(); ++i) task.points[i].input = 0.9 * static_cast<double>(i);
+  return task;
+}
+
+TEST(NearestPath, IsTimedWhereAllPointsHaveAnAngleOfTheCrank) {
+  PathTask task = timed_hexagon();
+  EXPECT_TRUE(task.is_approximate());
+  EXPECT_EQ(codes(task), "");
+  EXPECT_EQ(task.near_timing(), CrankTiming::relative);
+  ASSERT_TRUE(nearest_target(task).timing);
+  EXPECT_FALSE(nearest_target(task).timing->absolute);
+  EXPECT_THAT(nearest_target(task).timing->input, ElementsAre(0, 0.9, 1.8, 2.7, 3.6, 4.5));
+  EXPECT_FALSE(nearest_target(hexagon()).timing);
+  task.crank_timing = CrankTiming::absolute;
+  EXPECT_TRUE(nearest_target(task).timing->absolute);
+  task.crank_timing.reset();
+  task.points.pop_back();
+  EXPECT_FALSE(task.is_approximate()) << "five are passed exactly";
+  task.crank_timing = CrankTiming::relative;
+  EXPECT_TRUE(task.is_approximate());
+  task = timed_hexagon();
+  task.points[2].derivatives = {{{1, 0}, {}, {}}};
+  EXPECT_FALSE(task.is_approximate()) << "it is told that it has too many positions";
+}
+
+TEST(NearestPath, TellsAnglesThatDoNotGoWithIt) {
+  PathTask task = hexagon();
+  task.crank_timing = CrankTiming::relative;
+  EXPECT_EQ(codes(task), "timing_without_angles@task.timing");
+  task = timed_hexagon();
+  task.crank_timing = CrankTiming::free;
+  EXPECT_EQ(codes(task), "angles_of_free_timing@task.points[0].input_deg");
+  task = timed_hexagon();
+  task.between = PathBetween::polyline;
+  EXPECT_EQ(codes(task), "timed_polyline@task.between");
+  task = timed_hexagon();
+  task.points[3].input = 1.7;
+  EXPECT_EQ(codes(task), "crank_reverses@task.points[3].input_deg");
+  task.points[3].input = 1.8;
+  EXPECT_EQ(codes(task), "equal_crank_angles@task.points[3].input_deg");
+  task.points[3].input = 2;
+  task.points[5].input = 6.5;
+  EXPECT_EQ(codes(task), "more_than_a_turn@task.points[5].input_deg");
+  task.points[5].input = std::numeric_limits<double>::quiet_NaN();
+  EXPECT_NE(codes(task), "");
+}
+
+TEST(NearestPath, KeepsTimedPointsAtOnePlace) {
+  PathTask task = timed_hexagon();
+  task.closed = true;
+  task.points[2].point = task.points[1].point;
+  task.points[5].point = task.points[0].point;
+  EXPECT_EQ(codes(task), "");
+  EXPECT_THAT(nearest_target(task).point, ElementsAre(0, 1, 2, 3, 4, 5)) << "a crank turns on while the point rests";
 }
 
 TEST(NearestPath, TellsPointsWhoseDistancesHaveNoSquares) {

@@ -298,6 +298,21 @@ def test_a_drawn_path_is_fitted() -> None:
     assert best.length_unit == "mm" and len(motion) > 360
 
 
+def test_a_drawn_path_is_fitted_at_angles_of_the_crank() -> None:
+    angles = np.arange(16) * 22.5
+    timed = lw.fit_path(BEAN, input_deg=angles, closed=True).linkages[0]
+    assert timed["fit"]["timed"] and len(timed["fit"]["realisations"]) == 2
+    turns = np.array([at["input_deg"] for at in timed["fit"]["at"]])
+    assert np.abs(turns) == pytest.approx(angles, abs=1e-9)
+    free = lw.fit_path(BEAN, closed=True).linkages[0]
+    assert not free["fit"]["timed"] and free["fit"]["error"]["rms"] < timed["fit"]["error"]["rms"]
+    with pytest.raises(ValueError, match="2 angles are given for 16 points"):
+        lw.fit_path(BEAN, input_deg=[0, 1])
+    with pytest.raises(lw.ProblemError, match="turn back"):
+        lw.fit_path(BEAN, input_deg=[0, 20, 10, *range(30, 43)])
+    assert lw.read_problem(lw.PathTask([(*p, a) for p, a in zip(BEAN, angles)], timing="absolute"))["task"]["timing"] == "absolute"
+
+
 def test_a_drawn_path_goes_by_weights_and_tolerances() -> None:
     weights = [100.0] * 8 + [1.0] * 8
     heavy = lw.fit_path(BEAN, closed=True, weights=weights, effort="quick").linkages[0]["fit"]

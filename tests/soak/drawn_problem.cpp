@@ -114,6 +114,14 @@ Json drawn_options(Draw& draw, const Sheet& sheet, std::string_view kind) {
   if (kind.find("function") != std::string_view::npos && draw.chance(0.4)) options["objective"] = "structural_error";
   if (draw.chance(0.3)) options["best"] = draw.one_of({0, 1, 2, 30, 100});
   if (draw.chance(0.1)) options["window"] = drawn_window(draw);
+  if (kind == "path_near") {
+    options.erase("window");
+    options["fit"] = {{"effort", draw.one_of({"quick", "quick", "standard"})},
+                      {"measure", draw.chance(0.2) ? "least_largest" : "least_squares"}};
+    if (draw.chance(0.2))
+      options["fit"]["grashof_margin"] = draw.chance(0.5) ? Json() : Json(draw.power_of_ten(-6, -1));
+    if (draw.chance(0.5)) options["objective"] = "path_error";
+  }
   if (kind == "six_bar_search") {
     options["box"] = drawn_box(draw, sheet, 0, 1);
     options["effort"] = draw.whole(200, 3000);

@@ -9,7 +9,7 @@
 namespace linkwright::soak {
 
 /// The kinds of problem that a file can state.
-inline constexpr std::array<std::string_view, 45> kinds = {"three_lengths",
+inline constexpr std::array<std::string_view, 46> kinds = {"three_lengths",
                                                            "three_length",
                                                            "three_angle",
                                                            "three_center",
@@ -53,7 +53,8 @@ inline constexpr std::array<std::string_view, 45> kinds = {"three_lengths",
                                                            "path_poses",
                                                            "path_pivot",
                                                            "path_pivots",
-                                                           "path_few"};
+                                                           "path_few",
+                                                           "path_near"};
 
 struct DrawnProblem {
   std::string_view kind;

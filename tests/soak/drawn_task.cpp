@@ -21,6 +21,7 @@ Json drawn_task(Draw& draw, const Sheet& sheet, std::string_view kind) {
   if (kind.starts_with("five")) return drawn_five_positions(draw, sheet, kind);
   if (kind.starts_with("pairs")) return drawn_pairs(draw, sheet, kind);
   if (kind.starts_with("function")) return drawn_function(draw, sheet, kind);
+  if (kind == "path_near") return drawn_near_path(draw, sheet);
   if (kind.starts_with("path")) return drawn_path(draw, sheet, kind);
   if (kind.starts_with("line")) return drawn_line(draw, sheet, kind);
   if (kind.starts_with("sphere_pairs") || kind.starts_with("sphere_function"))

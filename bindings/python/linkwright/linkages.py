@@ -127,6 +127,38 @@ class Linkage:
         """
         return record_of(json.loads(self._native.analysis(drive)))
 
+    def compare(
+        self,
+        points: Any,
+        *,
+        input_deg: Any = None,
+        closed: bool = False,
+        timing: str = "relative",
+        point: Sequence[float] | None = None,
+    ) -> Record:
+        """How near the path of its coupler point comes to points, on the circuit in which it lies: what
+        ``linkwright analyze --compare`` writes. Planar four-bars only.
+
+        Args:
+            points: n × 2, in the order in which they are passed, three or more; user's unit.
+            input_deg: the angle of the input link at each point, degrees; None: whatever the timing.
+            closed: the path goes on from the last point to the first.
+            timing: of ``input_deg``: ``"relative"``, from any datum and in either sense, or ``"absolute"``, from the x axis.
+            point: of the coupler as the linkage lies, (x, y), instead of its own.
+
+        Raises:
+            ProblemError: fewer than three different points, no coupler point, angles that its input does not reach, ….
+        """
+        if timing not in ("relative", "absolute"):
+            raise ValueError(f"timing is 'relative' or 'absolute', not {timing!r}")
+        places = [(float(x), float(y)) for x, y in points]
+        angles = [] if input_deg is None else [float(angle) for angle in input_deg]
+        if angles and len(angles) != len(places):
+            raise ValueError(f"{len(angles)} angles are given for {len(places)} points")
+        pair = None if point is None else (float(point[0]), float(point[1]))
+        text, svg = self._native.comparison(places, angles, closed, timing == "absolute", pair)
+        return record_of(json.loads(text)["comparison"], lambda: svg)
+
     def instant(
         self,
         point: Sequence[float] | None = None,

@@ -57,7 +57,9 @@ def fit_path(
     *,
     closed: bool = False,
     tolerance: float | None = None,
-    between: str = "free",
+    between: str | None = None,
+    input_deg: Any = None,
+    timing: str | None = None,
     weights: Any = None,
     requirements: Mapping[str, Any] | None = None,
     effort: str = "standard",
@@ -78,7 +80,9 @@ def fit_path(
 
     Args:
         points: n × 2, in the order in which they are passed, 3 to 1000; user's unit.
-        closed, tolerance, between: as :class:`PathTask` has them.
+        input_deg: the crank's angle at each point, degrees, rising or falling within a turn; the distances then are those at
+            these angles. None: whatever the timing.
+        closed, tolerance, between, timing: as :class:`PathTask` has them.
         weights: one to each point, of the squared distances.
         requirements: as in problem files.
         effort: ``"quick"``, ``"standard"`` or ``"deep"``: how many places and starts are tried.
@@ -93,11 +97,18 @@ def fit_path(
         ProblemError: fewer than three different points, numbers that are not finite, a tolerance of 0, ….
     """
     places = [(float(x), float(y)) for x, y in points]
-    given: Sequence[float | None] = [None] * len(places) if weights is None else [float(weight) for weight in weights]
-    if len(given) != len(places):
-        raise ValueError(f"{len(given)} weights are given for {len(places)} points")
-    path = [PathPoint(x, y, weight=weight) for (x, y), weight in zip(places, given)]
-    task = PathTask(path, closed=closed, tolerance=tolerance, between=between)
+
+    def to_each(values: Any, what: str) -> Sequence[float | None]:
+        given = [None] * len(places) if values is None else [float(value) for value in values]
+        if len(given) != len(places):
+            raise ValueError(f"{len(given)} {what} are given for {len(places)} points")
+        return given
+
+    given = zip(places, to_each(input_deg, "angles"), to_each(weights, "weights"))
+    path = [PathPoint(x, y, input_deg=angle, weight=weight) for (x, y), angle, weight in given]
+    if between is None and timing is None:
+        between, timing = ("free", None) if input_deg is None else (None, "relative")
+    task = PathTask(path, closed=closed, tolerance=tolerance, between=between, timing=timing)
     options = {"fit": {"effort": effort, "measure": measure}, "best": best}
     problem = Problem(task, requirements=requirements, options=options, length_unit=length_unit)
     return solve(problem, progress=progress, cancellation=cancellation)

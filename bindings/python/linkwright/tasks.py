@@ -144,9 +144,11 @@ class PathTask:
         closed: the path passes near its points, from the last one on to the first, by an input that turns fully.
         tolerance: it passes near its points: how far from each without a tolerance of its own.
         between: it passes near its points, and between them is ``"free"`` or keeps to the ``"polyline"``.
+        timing: it passes near its points, and the angles of the crank do not count, ``"free"``, count as turns from any datum
+            and in either sense, ``"relative"``, or from the x axis, ``"absolute"``; None: relative where all points have one.
 
-    Three to 1000 points are passed near where one of the last three, a tolerance or a weight is given, or where they are
-    more than five and nothing else is.
+    Three to 1000 points are passed near where one of the last four, a tolerance or a weight is given, or where they are
+    more than five, all with an angle of the crank or none, and nothing else is.
     """
 
     points: Sequence[PathPoint | Sequence[Number] | Mapping[str, Any]]
@@ -154,12 +156,13 @@ class PathTask:
     closed: bool = False
     tolerance: float | None = None
     between: str | None = None
+    timing: str | None = None
 
     def to_dict(self) -> dict[str, Any]:
         points = [point if isinstance(point, (PathPoint, Mapping)) else _path_point(point) for point in self.points]
         given = None if self.ground_pivots is None else {"ground_pivots": self.ground_pivots}
         task = {"kind": "path", "mechanism": "four_bar", "points": points, "given": given}
-        near = {"closed": self.closed or None, "tolerance": self.tolerance, "between": self.between}
+        near = {"closed": self.closed or None, "tolerance": self.tolerance, "between": self.between, "timing": self.timing}
         return _without_empty({**task, **near})
 
 

@@ -78,6 +78,26 @@ std::pair<std::string, std::string> instant(const Linkage& linkage, const std::o
   return {write_analysis(analysis), analysis.instant->analysis.instant ? draw_instant(analysis) : ""};
 }
 
+/// JSON text and picture.
+std::pair<std::string, std::string> comparison(const Linkage& linkage, const std::vector<Pair>& points,
+                                               const std::vector<double>& input_deg, bool closed, bool absolute,
+                                               const std::optional<Pair>& point) {
+  const auto* stored = std::get_if<StoredLinkage>(&linkage.stored);
+  if (stored == nullptr)
+    throw CallersMistakes{
+        {{"comparison_of_a_plane", "mechanism", "paths of planar four-bars are compared with points"}}};
+  PathTask task;
+  task.closed = closed;
+  task.crank_timing = input_deg.empty() ? CrankTiming::free : absolute ? CrankTiming::absolute : CrankTiming::relative;
+  for (std::size_t j = 0; j < points.size(); ++j) {
+    task.points.push_back({{points[j][0], points[j][1]}, {}, {}, {}, {}, {}});
+    if (j < input_deg.size()) task.points.back().input = radians(input_deg[j]);
+  }
+  LinkageAnalysis analysis = analyze(*stored);
+  analysis.comparison = value_of(compare_with_path(*stored, point_of(point), value_of(compared_path(task))));
+  return {write_analysis(analysis), draw_comparison(*stored, *analysis.comparison)};
+}
+
 std::pair<std::string, std::string> instant_of_problem(const std::string& text, const std::optional<Pair>& point) {
   const PrescribedInstant found = value_of(prescribed_instant(value_of(read_problem(text)), point_of(point)));
   return {write_instant(found), found.analysis.instant ? draw_instant(found) : ""};
@@ -163,6 +183,11 @@ void bind_linkages(py::module_& module) {
       .def("analysis",
            [](const Linkage& linkage, const std::string& drive) {
              return without_gil([&] { return analysis_text(linkage, drive); });
+           })
+      .def("comparison",
+           [](const Linkage& linkage, const std::vector<Pair>& points, const std::vector<double>& input_deg,
+              bool closed, bool absolute, const std::optional<Pair>& point) {
+             return without_gil([&] { return comparison(linkage, points, input_deg, closed, absolute, point); });
            })
       .def("instant", [](const Linkage& linkage, const std::optional<Pair>& point, std::optional<double> input_deg,
                          double input_acceleration) {

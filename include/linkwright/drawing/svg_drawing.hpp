@@ -3,6 +3,7 @@
 #include <string>
 
 #include "linkwright/files/analysis_file.hpp"
+#include "linkwright/files/comparison_file.hpp"
 #include "linkwright/files/displacement_file.hpp"
 #include "linkwright/files/linkage_file.hpp"
 #include "linkwright/files/orientation_file.hpp"
@@ -46,5 +47,8 @@ namespace linkwright {
 
 /// The same of a body in a prescribed pose.
 [[nodiscard]] std::string draw_instant(const PrescribedInstant& instant);
+
+/// A linkage and points that its path is compared with (SVG, 1000 × 800): from each point the way to where the path is.
+[[nodiscard]] std::string draw_comparison(const StoredLinkage& linkage, const PathComparison& comparison);
 
 }  // namespace linkwright

@@ -2,6 +2,7 @@
 
 #include <string>
 
+#include "linkwright/files/comparison_file.hpp"
 #include "linkwright/files/instant_file.hpp"
 #include "linkwright/files/linkage_file.hpp"
 #include "linkwright/mechanism/four_bar_analysis.hpp"
@@ -11,7 +12,8 @@ namespace linkwright {
 /// The analysis of a four-bar and the file that it came from.
 struct LinkageAnalysis : FourBarAnalysis {
   StoredLinkage linkage;
-  std::optional<LinkageInstant> instant{};  ///< where it is asked for
+  std::optional<LinkageInstant> instant{};     ///< where it is asked for
+  std::optional<PathComparison> comparison{};  ///< likewise
 };
 
 /// What is asked of one instant of a linkage.

@@ -27,6 +27,7 @@ struct Drawing {
   std::vector<DrawnShape>
       shapes;  ///< one at least, 24 at most: closed ones, open chains, frames, each the largest first
   std::optional<double> unit_mm;  ///< millimetres to the drawing's unit, where the file says
+  bool listed = false;            ///< the corners of its one shape are the points of a table
 };
 
 /// An element of an XML document. `children`: indices in the list of all.
@@ -60,7 +61,13 @@ using XmlElements = std::vector<XmlElement>;
 /// From its text; not in WebAssembly, where browsers read XML.
 [[nodiscard]] Result<Drawing> read_svg_outlines(std::string_view text);
 
-/// The same from a file of at most 16 MB whose name ends in .dxf or .svg.
+/// Points as a shape: closed where the last is the first again, which then is left out.
+[[nodiscard]] Drawing drawing_of_points(std::vector<Point> points);
+
+/// So many points evenly along a shape as it is drawn; of an open one with both ends.
+[[nodiscard]] std::vector<Point> points_along(const DrawnShape& shape, int count);
+
+/// The same from a file of at most 16 MB whose name ends in .dxf or .svg, or in .csv: read_point_table().
 [[nodiscard]] Result<Drawing> read_outlines_file(const std::filesystem::path& path);
 
 /// Lengths in a unit of that name to the drawing's unit; 1 where one of the two is not known.

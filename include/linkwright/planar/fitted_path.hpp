@@ -10,7 +10,7 @@ namespace linkwright {
 
 /// How near the path of a four-bar passes to the points of its task, user's unit.
 struct FittedPath {
-  /// Where the linkage is when its point is nearest to a point of the task.
+  /// Where the linkage is when its point is nearest to a point of the task, or its crank at the angle given there.
   struct Nearest {
     std::size_t point = 0;  ///< of the task, from 0
     double input = 0;       ///< turn of the input from position 1, radians
@@ -18,6 +18,7 @@ struct FittedPath {
     double distance = 0;
   };
 
+  bool timed = false;                 ///< distances are those at the angles of the crank that are given
   CurveError error;                   ///< its max_at is a point of the task, from 0
   std::vector<Nearest> at;            ///< in the order of the points
   std::vector<std::size_t> outside;   ///< points of the task, from 0, that are farther off than their tolerance

@@ -106,13 +106,13 @@ struct PathTask {
   GroundPivots pivots;
   std::optional<Box> box;  ///< of five plain positions: where the input's ground pivot is searched for, user's unit
   // Of paths that pass near points; one of them, or a tolerance or a weight of a point, asks for these, and so do more
-  // than five points without angles.
+  // than five points, all without angles or all with one of the crank.
   bool closed = false;                 ///< from the last point on to the first, by an input that turns fully
   std::optional<double> tolerance;     ///< of all points without their own, user's unit, > 0
   std::optional<PathBetween> between;  ///< nothing: free
   std::optional<NearestMap> map;       ///< nothing: curves
-  std::optional<CrankTiming>
-      crank_timing;  ///< nothing: relative where all points have an angle of the crank, else free
+  /// Nothing: relative where all points have an angle of the crank, else free.
+  std::optional<CrankTiming> crank_timing;
 
   [[nodiscard]] const LinkageClass& linkage_class() const {
     return is_approximate() ? near_path_linkages : path_linkages;
@@ -121,6 +121,8 @@ struct PathTask {
   [[nodiscard]] bool is_approximate() const;
   /// What only these have is given.
   [[nodiscard]] bool asks_for_nearest() const;
+  /// Of a path that passes near its points.
+  [[nodiscard]] CrankTiming near_timing() const;
   /// Of a point; nothing: none is given.
   [[nodiscard]] std::optional<double> tolerance_at(std::size_t point) const;
   [[nodiscard]] PathTiming timing() const;
@@ -140,8 +142,8 @@ struct PathTask {
 /// are not finite or too large, a crank that stands or turns back at a derivative, equal angles, angles that do not go
 /// one way within one turn, points at pivots, pivots at one place, a box that is empty or where nothing is searched
 /// for; of paths near points anything given beside them, fewer than three different ones, tolerances and weights out of
-/// range. Places are `task.points[i]…` (i from 0), `task.given.ground_pivots…`, `task.tolerance` and `options.box`.
-/// Empty when the task can be solved.
+/// range, angles of the crank at some of them alone. Places are `task.points[i]…` (i from 0),
+/// `task.given.ground_pivots…`, `task.tolerance`, `task.timing` and `options.box`. Empty when the task can be solved.
 [[nodiscard]] std::vector<Error> mistakes_in(const PathTask& task);
 
 /// In which sense the crank of a task without mistakes turns that gives its angle somewhere: 1 counter-clockwise,

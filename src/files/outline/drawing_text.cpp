@@ -4,6 +4,7 @@
 
 #include "files/text/plain_text.hpp"
 #include "linkwright/files/outline_file.hpp"
+#include "linkwright/files/point_table.hpp"
 #include "linkwright/files/text_file.hpp"
 #include "strokes.hpp"
 
@@ -51,11 +52,16 @@ Result<Drawing> read_svg_outlines(std::string_view text) {
 
 Result<Drawing> read_outlines_file(const std::filesystem::path& path) {
   const std::string ending = in_small_letters(path.extension().string());
-  if (ending != ".dxf" && ending != ".svg")
-    return Error{"unknown_drawing", "", "an outline is read from a drawing whose name ends in .dxf or .svg"};
+  if (ending != ".dxf" && ending != ".svg" && ending != ".csv")
+    return Error{"unknown_drawing", "",
+                 "an outline is read from a drawing whose name ends in .dxf or .svg, or from a table of points, .csv"};
   const auto text = read_text_file(path, most_bytes);
   if (!text)
     return text.errors().front().code == "file_too_large" ? Result<Drawing>(drawing_of_too_much()) : text.errors();
+  if (ending == ".csv") {
+    auto points = read_point_table(*text);
+    return points ? Result<Drawing>(drawing_of_points(*std::move(points))) : points.errors();
+  }
   return ending == ".dxf" ? read_dxf_outlines(*text) : read_svg_outlines(*text);
 }
 

@@ -37,6 +37,38 @@ double drawing_scale(std::optional<double> unit_mm, std::string_view length_unit
   return unit_mm && length_mm ? *unit_mm / *length_mm : 1;
 }
 
+Drawing drawing_of_points(std::vector<Point> points) {
+  DrawnShape shape;
+  shape.closed = points.size() > 3 && points.front() == points.back();
+  if (shape.closed) points.pop_back();
+  const auto by_x = [](Point a, Point b) { return a.real() < b.real(); };
+  const auto by_y = [](Point a, Point b) { return a.imag() < b.imag(); };
+  const auto [left, right] = std::minmax_element(points.begin(), points.end(), by_x);
+  const auto [lowest, highest] = std::minmax_element(points.begin(), points.end(), by_y);
+  shape.width = right->real() - left->real();
+  shape.height = highest->imag() - lowest->imag();
+  shape.corners = std::move(points);
+  return {{std::move(shape)}, std::nullopt, true};
+}
+
+std::vector<Point> points_along(const DrawnShape& shape, int count) {
+  std::vector<Point> corners = shape.corners;
+  if (shape.closed) corners.push_back(corners.front());
+  std::vector<double> reached = {0};
+  for (std::size_t i = 1; i < corners.size(); ++i)
+    reached.push_back(reached.back() + std::abs(corners[i] - corners[i - 1]));
+  std::vector<Point> points;
+  std::size_t side = 1;
+  for (int k = 0; k < count; ++k) {
+    const double way = reached.back() * k / (shape.closed ? count : count - 1);
+    while (side + 1 < corners.size() && reached[side] < way) ++side;
+    const double length = reached[side] - reached[side - 1];
+    const double share = length > 0 ? (way - reached[side - 1]) / length : 0;
+    points.push_back(corners[side - 1] + share * (corners[side] - corners[side - 1]));
+  }
+  return points;
+}
+
 std::vector<Point> body_outline(const DrawnShape& shape, double scale, const Pose& placed) {
   std::vector<Point> outline;
   for (const Point corner : simplified(shape.corners)) {

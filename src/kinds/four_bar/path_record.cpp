@@ -4,6 +4,7 @@
 
 #include "files/fields/result_forms.hpp"
 #include "files/linkage_fields.hpp"
+#include "files/path_fit_fields.hpp"
 #include "four_bar_kind.hpp"
 #include "linkwright/planar/path_crank.hpp"
 
@@ -66,39 +67,10 @@ void fields(FieldVisitor& v, const CrankRecord& of) {
   });
 }
 
-void error_field(FieldVisitor& v, const CurveError& error) {
-  v.member("error", true, [&](FieldVisitor& at) {
-    at.object({.name = "path_error", .about = "Of the points from the path, user's unit."}, [&](FieldVisitor& to) {
-      to.shown(Field("sum_of_squares", "Weighted."), error.sum_of_squares, forms::not_negative);
-      to.shown(Field("rms", "Root of the weighted mean of the squares."), error.rms, forms::not_negative);
-      to.shown("max", error.max, forms::not_negative);
-      to.shown(Field("max_at", "At which point, from 1."), static_cast<std::int64_t>(error.max_at) + 1, forms::count);
-      to.shown("rms_over_diagonal", error.rms_over_diagonal, forms::not_negative);
-      to.shown(Field("excursion", "Largest distance of the path between the points from the polygon through them."),
-               error.excursion, forms::not_negative);
-      to.shown(Field("path_length_ratio", "Length of the path over that of the polygon."), error.path_length_ratio,
-               forms::not_negative);
-    });
-  });
-}
-
-void nearest_field(FieldVisitor& v, const FittedPath& path) {
-  v.member(Field("at", "Where the linkage is nearest to each point."), true, [&](FieldVisitor& to) {
-    visit_each(to, List{.what = ""}, path.at, [](FieldVisitor& each, const FittedPath::Nearest& nearest) {
-      each.object({.name = "nearest_to_point"}, [&](FieldVisitor& of) {
-        of.shown(Field("point", "From 1."), static_cast<std::int64_t>(nearest.point) + 1, forms::count);
-        of.shown(Field("input_deg", "Turn of the input from position 1."), degrees(nearest.input), Number{});
-        of.shown(Field("place", "Of the path, fixed frame."), std::optional(nearest.place), forms::shown_point);
-        of.shown("distance", nearest.distance, forms::not_negative);
-      });
-    });
-  });
-}
-
 void realisations_field(FieldVisitor& v, const FittedPath& path) {
   const Field field("realisations",
-                    "The four-bars that trace the same path (Roberts' theorem), this one first; fixed frame, position "
-                    "1, the point the same in each.");
+                    "The four-bars that trace the same path (Roberts' theorem), this one first; at angles of the crank "
+                    "those whose cranks turn alike. Fixed frame, position 1, the point the same in each.");
   v.member(field, true, [&](FieldVisitor& to) {
     visit_each(to, List{.what = ""}, path.realisations, [](FieldVisitor& each, const FourBar& bars) {
       each.object({.name = "realisation"}, [&](FieldVisitor& of) {
@@ -116,6 +88,7 @@ void fit_field(FieldVisitor& v, const std::optional<FittedPath>& fit) {
   v.member(Field("fit", "Paths that pass near points: how near, in their turn.").written(fit.has_value()), false,
            [&](FieldVisitor& at) {
              at.object({.name = "path_fit", .on_lines = true}, [&](FieldVisitor& to) {
+               to.shown(Field("timed", "Distances are those at the angles of the crank that are given."), path.timed);
                error_field(to, path.error);
                to.shown(Field("within_tolerance", "At all points that have one."), path.outside.empty());
                to.shown(Field("outside", "Points that are farther off than their tolerance, from 1."), outside,

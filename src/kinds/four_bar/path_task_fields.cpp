@@ -87,9 +87,8 @@ void fields(FieldVisitor& v, PathTask& task) {
       "Path generation: a point of the coupler passes places in this order: four or five at given angles of the crank; "
       "three with angles of crank or coupler and two without, or four and one; or from given ground pivots, or from "
       "one that is searched for in options.box. A point counts as one position, and as one more for each of its "
-      "derivatives. Or it passes as near as it can to three to 1000 points: where one of closed, tolerance and weight "
-      "is "
-      "given, or more than five points and nothing else.",
+      "derivatives. Or it passes as near as it can to three to 1000 points: where one of closed, tolerance, weight and "
+      "timing is given, or more than five points, all at angles of the crank or none, and nothing else.",
       true};
   v.object(described, [&](FieldVisitor& to) {
     to.constant("kind", "path");
@@ -105,6 +104,11 @@ void fields(FieldVisitor& v, PathTask& task) {
              task.tolerance, forms::length);
     to.given(Field("between", "The path passes near its points; between them it is free, or keeps to the polyline."),
              task.between, Names<PathBetween>{{PathBetween::free, PathBetween::polyline}});
+    to.given(Field("timing",
+                   "The path passes near its points: the angles of the crank do not count; or as turns, from any datum "
+                   "and in either sense; or as angles of the input link from the x axis. Left out: relative where all "
+                   "points have one."),
+             task.crank_timing, Names<CrankTiming>{{CrankTiming::free, CrankTiming::relative, CrankTiming::absolute}});
     to.given(
         Field("map",
               "The path passes near its points; the map runs over the curves that were found, or over the places of "

@@ -274,6 +274,8 @@ export interface Realisation {
   output: CognateLink;
 }
 export interface PathFit {
+  /** Distances are those at the angles of the crank that are given. */
+  timed: boolean;
   error: PathError;
   /** At all points that have one. */
   within_tolerance: boolean;
@@ -281,9 +283,9 @@ export interface PathFit {
   outside: readonly number[];
   /** Its longest link is as long as is allowed: longer ones may come nearer. */
   at_length_limit: boolean;
-  /** Where the linkage is nearest to each point. */
+  /** Where the linkage is nearest to each point, or its crank at the angle given there. */
   at: readonly NearestToPoint[];
-  /** The four-bars that trace the same path (Roberts' theorem), this one first; fixed frame, position 1, the point the same in each. */
+  /** The four-bars that trace the same path (Roberts' theorem), this one first; at angles of the crank those whose cranks turn alike. Fixed frame, position 1, the point the same in each. */
   realisations: readonly Realisation[];
 }
 export const requirement_keys = ["types","no_defects","min_transmission_angle_deg","max_link_ratio","max_length","min_length","ground_pivots_within","moving_pivots_within","min_link_angle_deg","max_link_angle_deg","fixed_axes_within","moving_axes_within","min_stroke","max_deviation","full_turn","max_path_error","max_tolerance_error","min_yield","max_open_force","max_close_force","min_hold_open","max_pin_force","max_torque"] as const;
