@@ -9,56 +9,8 @@
 namespace linkwright {
 namespace {
 
-using Numbers = std::array<double, fit_dimensions>;
-
-// H dx = −g, lower triangle.
-struct NormalEquations {
-  std::array<Numbers, fit_dimensions> h{};
-  Numbers g{};
-
-  void add(const FitRow& row, double weight) {
-    for (std::size_t i = 0; i < fit_dimensions; ++i) {
-      const double weighted = weight * row.row[i];
-      g[i] += weighted * row.residual;
-      for (std::size_t j = 0; j <= i; ++j) h[i][j] += weighted * row.row[j];
-    }
-  }
-  void hold(unsigned held) {
-    for (std::size_t i = 0; i < fit_dimensions; ++i) {
-      if ((held >> i & 1) == 0) continue;
-      for (std::size_t j = 0; j < fit_dimensions; ++j) (j < i ? h[i][j] : h[j][i]) = 0;
-      g[i] = 0;
-    }
-  }
-};
-
-// By Cholesky's method with the diagonal magnified; false where rounding leaves no positive pivot.
-bool damped_step(const NormalEquations& equations, double damping, Numbers& step) {
-  constexpr std::size_t n = fit_dimensions;
-  auto l = equations.h;
-  double trace = 0;
-  for (std::size_t i = 0; i < n; ++i) trace += l[i][i];
-  const double least = 1e-15 * trace + 1e-300;
-  for (std::size_t i = 0; i < n; ++i) {
-    l[i][i] += damping * l[i][i] + least;
-    for (std::size_t j = 0; j <= i; ++j) {
-      double sum = l[i][j];
-      for (std::size_t k = 0; k < j; ++k) sum -= l[i][k] * l[j][k];
-      if (i == j && !(sum > 0)) return false;
-      l[i][j] = i == j ? std::sqrt(sum) : sum / l[j][j];
-    }
-  }
-  for (std::size_t i = 0; i < n; ++i) {
-    double sum = -equations.g[i];
-    for (std::size_t k = 0; k < i; ++k) sum -= l[i][k] * step[k];
-    step[i] = sum / l[i][i];
-  }
-  for (std::size_t i = n; i-- > 0;) {
-    for (std::size_t k = i + 1; k < n; ++k) step[i] -= l[k][i] * step[k];
-    step[i] /= l[i][i];
-  }
-  return true;
-}
+using Equations = NormalEquations<fit_dimensions>;
+using Numbers = Equations::Numbers;
 
 CouplerLinkage moved(const CouplerLinkage& l, const Numbers& by) {
   return {l.a0 + Point{by[0], by[1]}, l.b0 + Point{by[2], by[3]}, l.a + by[4], l.h + by[5], l.b + by[6],
@@ -103,7 +55,7 @@ class Step {
   /// The start after a damped step; false where there is none, or a loop does not close.
   [[nodiscard]] bool take(double damping, CurveStart& next) const {
     Numbers step{};
-    if (!damped_step(equations_, damping, step)) return false;
+    if (!equations_.damped_step(damping, step)) return false;
     next.linkage = moved(start_.linkage, step);
     if (!(next.linkage.a > 0 && next.linkage.h > 0 && next.linkage.b > 0)) return false;
     for (std::size_t j = 0; j < slides_.size(); ++j) {
@@ -144,7 +96,7 @@ class Step {
   const FitTask& task_;
   const CurveStart& start_;
   std::vector<LoopSlide> slides_;
-  NormalEquations equations_;
+  Equations equations_;
 };
 
 }  // namespace
@@ -167,28 +119,7 @@ void evaluate(const FitTask& task, CurveStart& start) {
 }
 
 void improve(const FitTask& task, CurveStart& start, int iterations) {
-  constexpr double least_damping = 1e-14, most_damping = 1e10, standing = 1e-9;
-  constexpr int standing_steps = 4;
-  CurveStart next = start;
-  int stood = 0;
-  for (int done = 0; done < iterations && !start.converged;) {
-    const Step step(task, start);
-    bool accepted = false;
-    while (!accepted && done++ < iterations) {
-      accepted = step.take(start.damping, next) && next.cost() < start.cost();
-      start.damping = accepted ? std::max(start.damping / 6, least_damping) : start.damping * 5;
-      if (start.damping > most_damping) break;
-    }
-    if (!accepted) {
-      start.converged = start.damping > most_damping;
-      if (start.converged) start.damping = 1e-3;
-      return;
-    }
-    stood = start.cost() - next.cost() <= standing * start.cost() ? stood + 1 : 0;
-    next.damping = start.damping;
-    std::swap(start, next);
-    start.converged = stood >= standing_steps;
-  }
+  improve_by_steps<Step>(task, start, iterations);
 }
 
 void slide_to_nearest(const FitTask& task, CurveStart& start) {

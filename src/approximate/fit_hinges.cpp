@@ -11,7 +11,7 @@ namespace {
 
 // Beside distances, in the unit in which the target has a root mean square radius of 1: stiff where the error falls
 // steeply past the limit.
-constexpr double grashof_weight = 30, branch_weight = 3, length_weight = 1, pivot_weight = 10;
+constexpr double grashof_weight = 30, length_weight = 1, pivot_weight = 10;
 
 constexpr int ground = 0, input = 1, coupler = 2, output = 3;
 

@@ -6,6 +6,9 @@
 
 namespace linkwright {
 
+/// Of the sine of a transmission angle below its limit.
+inline constexpr double branch_weight = 3;
+
 /// A row for each limit of the linkage as a whole that is broken, growing from 0 at the limit.
 void append_linkage_hinges(const FitLimits& limits, const CouplerLinkage& linkage, std::vector<FitRow>& rows);
 
