@@ -20,6 +20,8 @@ class FittedMotionFamily : public FourBarFamily {
   /// `fits`: of the target, some.
   FittedMotionFamily(std::shared_ptr<const NearPoses> near, std::vector<PoseFit> fits);
 
+  [[nodiscard]] const LinkageClass& linkages() const override { return near_motion_linkages; }
+
   [[nodiscard]] std::optional<DyadPair> dyad_pair(MapPoint place) const override;
   /// `bars` are those at the place.
   [[nodiscard]] std::vector<PrescribedPose> user_poses(MapPoint place, const FourBar& bars) const override;

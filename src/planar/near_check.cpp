@@ -64,7 +64,7 @@ void check_together(const MotionTask& task, std::vector<Error>& found) {
   if (none_counts)
     found.push_back(
         {"no_near_weight", "task.poses", "all near poses have weight 0, so that any linkage would do; give some"});
-  if (task.relaxed)
+  if (task.relaxed && position_count(task.poses) == 5)
     found.push_back({"near_with_freed_pose", "task.freed_pose",
                      "a freed pose goes with five exact ones; leave it out and mark that pose \"near\": true"});
   if (!task.is_fitted()) return;
@@ -73,10 +73,6 @@ void check_together(const MotionTask& task, std::vector<Error>& found) {
       found.push_back({"near_with_derivatives", fmt::format("task.poses[{}].derivatives", i),
                        "directions of travel go with four or five exact positions; leave them out, or make more "
                        "positions exact"});
-  if (!task.pivots_on.empty())
-    found.push_back({"near_with_pivot_on", "task.pivot_on",
-                     "pivots on lines go with four exact positions; leave them out, and require "
-                     "\"ground_pivots_within\" instead"});
 }
 
 // Distances in the drawing's size tell two poses apart.

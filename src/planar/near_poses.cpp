@@ -6,6 +6,7 @@
 
 #include "approximate/pose_least_squares.hpp"
 #include "linkwright/mechanism/defects.hpp"
+#include "linkwright/mechanism/driver_sequence.hpp"
 #include "linkwright/planar/four_bar_family.hpp"
 #include "linkwright/planar/pose_conditions.hpp"
 #include "linkwright/region/region_map.hpp"
@@ -41,6 +42,21 @@ std::vector<double> weights_of(const MotionTask& task, const std::vector<TaskPla
     weights.push_back(given * by_tolerance * by_tolerance);
   }
   return weights;
+}
+
+// find_defects() of any number of poses: of the first with four others at a time, in one sense of all.
+bool passes_all(const FourBar& bars, const std::vector<PrescribedPose>& poses, bool respect_direction) {
+  constexpr std::size_t others = 4;
+  const DriverSequence order = driver_sequence(bars.input_fixed, bars.input_moving, poses, respect_direction);
+  bool ccw = order.ccw, cw = order.cw;
+  for (std::size_t k = 1; k < poses.size() && (ccw || cw); k += others) {
+    std::vector<PrescribedPose> some = {poses.front()};
+    for (std::size_t j = k; j < std::min(k + others, poses.size()); ++j) some.push_back(poses[j]);
+    const DefectReport report = find_defects(bars, some, respect_direction);
+    ccw = ccw && (report.sense == DriveSense::ccw || report.sense == DriveSense::either);
+    cw = cw && (report.sense == DriveSense::cw || report.sense == DriveSense::either);
+  }
+  return ccw || cw;
 }
 
 class NearError : public CellMeasure {
@@ -136,8 +152,7 @@ double NearPoses::error_of(const FourBar& bars, const std::vector<PrescribedPose
     weights += target_.weight(j);
     all.push_back({{state.origin, target_.poses[j].angle + turn_between(pose.axis, state.axis)}, {}});
   }
-  if (!find_defects(first, all, respect_direction).defects.none() &&
-      find_defects(bars, exact, respect_direction).defects.none())
+  if (!passes_all(first, all, respect_direction) && find_defects(bars, exact, respect_direction).defects.none())
     return unlimited;
   return weights > 0 ? std::sqrt(sum / weights) : 0;
 }

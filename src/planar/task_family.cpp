@@ -136,7 +136,9 @@ TaskFamily family_of_given(const MotionTask& task, const Given& beside_poses, co
 void add_near_poses(TaskFamily& given, const MotionTask& task) {
   if (task.near.empty()) return;
   given.near = std::make_shared<const NearPoses>(task);
-  if (given.family) given.near_error = near_error_measure(given.near, given.family);
+  if (!given.family) return;
+  given.near_error = near_error_measure(given.near, given.family);
+  if (const auto* of_motion = dynamic_cast<const MotionFamily*>(given.family.get())) of_motion->has_near_poses();
 }
 
 void warn_of_points(TaskFamily& given, const MotionTask& task) {

@@ -90,8 +90,9 @@ TEST(NearPoses, TellWhatDoesNotGoWithThem) {
   task.near.clear();
   EXPECT_EQ(codes(task), "unneeded_turning_length@task.turning_length");
   task = tailgate();
+  task.poses.push_back({{{-240, 470}, -1.5}, {}});
   task.relaxed = 0;
-  EXPECT_NE(codes(task).find("near_with_freed_pose@task.freed_pose"), std::string::npos);
+  EXPECT_EQ(codes(task), "near_with_freed_pose@task.freed_pose");
   task = all_near();
   task.near.resize(2);
   EXPECT_EQ(codes(task), "too_few_near_poses@task.poses");
@@ -99,9 +100,6 @@ TEST(NearPoses, TellWhatDoesNotGoWithThem) {
   task.poses.push_back({task.near[0].pose, {{{1, 0}, 0}}});
   task.poses[0].pose.origin += Point{5, 5};
   EXPECT_EQ(codes(task), "near_with_derivatives@task.poses[8].derivatives");
-  task = all_near();
-  task.pivots_on.push_back({});
-  EXPECT_NE(codes(task).find("near_with_pivot_on@task.pivot_on"), std::string::npos);
   task = all_near();
   task.near.resize(MotionTask::most_near + 1, task.near[3]);
   EXPECT_EQ(codes(task), "too_many_near_poses@task.poses");
@@ -142,7 +140,9 @@ TEST(NearPoses, FitsAreListedWithTheirErrors) {
   ASSERT_TRUE(error);
   EXPECT_LE(*error, 1.0573);
   const auto next = given.near_error->at({1.5, 0.5});
-  if (next) EXPECT_LE(*error, *next);
+  if (next) {
+    EXPECT_LE(*error, *next);
+  }
   EXPECT_FALSE(given.near_error->at({1e6, 0.5}));
 }
 
