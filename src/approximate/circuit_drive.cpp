@@ -173,9 +173,9 @@ void compare_paths(const CouplerCircuit& circuit, const Way& way, std::span<cons
 }  // namespace
 
 CircuitDrive drive_along_circuit(const CouplerLinkage& linkage, std::span<const LoopState> states,
-                                 std::span<const Point> targets, bool closed, double noise) {
+                                 std::span<const Point> targets, bool closed, double noise, double turning_length) {
   CircuitDrive drive;
-  const CouplerCircuit circuit(linkage, states.front());
+  const CouplerCircuit circuit(linkage, states.front(), turning_length);
   if (!circuit.closed()) return drive;
   std::vector<double> places;
   for (const LoopState& state : states) {

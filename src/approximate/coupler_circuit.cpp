@@ -40,7 +40,8 @@ CircuitStep step_on(const CouplerLinkage& linkage, const LoopState& from, Point 
 
 }  // namespace
 
-CouplerCircuit::CouplerCircuit(const CouplerLinkage& linkage, const LoopState& start) : linkage_(linkage) {
+CouplerCircuit::CouplerCircuit(const CouplerLinkage& linkage, const LoopState& start, double turning_length)
+    : linkage_(linkage), turning_length_(turning_length) {
   append(start);
   const Point first = tangent_at(linkage, start);
   Point tangent = first;
@@ -72,7 +73,13 @@ CouplerCircuit::CouplerCircuit(const CouplerLinkage& linkage, const LoopState& s
 void CouplerCircuit::append(const LoopState& state) {
   states_.push_back(state);
   points_.push_back(traced_point(linkage_, state));
-  path_.push_back(path_.empty() ? 0 : path_.back() + std::abs(points_.back() - points_[points_.size() - 2]));
+  if (path_.empty()) {
+    path_.push_back(0);
+    return;
+  }
+  const std::size_t before = states_.size() - 2;
+  const double turned = turning_length_ * turns_between(states_[before], state).imag();
+  path_.push_back(path_.back() + std::hypot(std::abs(points_.back() - points_[before]), turned));
 }
 
 double CouplerCircuit::position_of(const LoopState& state, double near) const {

@@ -12,14 +12,16 @@ namespace linkwright {
 /// are states like others to it.
 class CouplerCircuit {
  public:
-  CouplerCircuit(const CouplerLinkage& linkage, const LoopState& start);
+  /// `turning_length`: by it a turn of the coupler counts as travel of the point, which is at rest where the coupler
+  /// turns about it.
+  CouplerCircuit(const CouplerLinkage& linkage, const LoopState& start, double turning_length = 0);
 
   /// It came back to where it began; otherwise strands of the curve of states meet, or the loop opened.
   [[nodiscard]] bool closed() const { return closed_; }
   /// In turn; of a closed one the last is the first again. At least one.
   [[nodiscard]] const std::vector<LoopState>& states() const { return states_; }
   [[nodiscard]] const std::vector<Point>& points() const { return points_; }
-  /// Lengths of the path of the coupler point up to each state.
+  /// Lengths of the path of the coupler point up to each state, turns counted in.
   [[nodiscard]] const std::vector<double>& path() const { return path_; }
 
   /// Where a state lies, as an index with a fraction; below 0 where it is not on the circuit. Looked for first beside
@@ -33,6 +35,7 @@ class CouplerCircuit {
   [[nodiscard]] double position_within(const LoopState& state, std::size_t from, std::size_t to) const;
 
   CouplerLinkage linkage_;
+  double turning_length_;
   bool closed_ = false;
   std::vector<LoopState> states_;
   std::vector<Point> points_;
@@ -61,8 +64,9 @@ struct CircuitDrive {
 };
 
 /// Goes along the circuit of the first state, and meets the others in turn. Going back along the path by no more than
-/// `noise`, a length, is an error of the targets and no defect.
+/// `noise`, a length, is an error of the targets and no defect. `turning_length`: as of a CouplerCircuit.
 [[nodiscard]] CircuitDrive drive_along_circuit(const CouplerLinkage& linkage, std::span<const LoopState> states,
-                                               std::span<const Point> targets, bool closed, double noise);
+                                               std::span<const Point> targets, bool closed, double noise,
+                                               double turning_length = 0);
 
 }  // namespace linkwright

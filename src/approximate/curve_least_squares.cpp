@@ -4,7 +4,6 @@
 #include <cmath>
 
 #include "approximate/fit_hinges.hpp"
-#include "approximate/levenberg_marquardt.hpp"
 #include "approximate/loop_slide.hpp"
 
 namespace linkwright {
@@ -32,6 +31,12 @@ std::array<FitRow, 2> rows_of(const LoopSlide& slide) {
   return rows;
 }
 
+// Where each state goes while the linkage moves by dx: rows of a state kept from the normal equations.
+struct StateMove {
+  LoopState at;
+  double along, across;
+};
+
 class Step {
  public:
   Step(const FitTask& task, const CurveStart& start) : task_(task), start_(start) {
@@ -40,8 +45,8 @@ class Step {
     for (std::size_t j = 0; j < start.states.size(); ++j) {
       const LoopSlide& slide = slides_.emplace_back(start.linkage, start.states[j], task.points[j]);
       const auto rows = rows_of(slide);
-      add(rows[0], task.weights[j]);
-      if (std::norm(slide.velocity) < all_but_at_rest) add(rows[1], task.weights[j]);
+      equations_.add(rows[0], task.weights[j]);
+      if (std::norm(slide.velocity) < all_but_at_rest) equations_.add(rows[1], task.weights[j]);
     }
     add_hinges();
     equations_.hold(start.held);
@@ -62,7 +67,6 @@ class Step {
   }
 
  private:
-  void add(const FitRow& row, double weight) { equations_.add(row.row, row.residual, weight); }
   void add_hinges() {
     std::vector<FitRow> hinges;
     append_linkage_hinges(task_.limits, start_.linkage, hinges);
@@ -73,7 +77,7 @@ class Step {
         if (row) hinges.push_back(*row);
       }
     }
-    for (const FitRow& row : hinges) add(row, 1);
+    for (const FitRow& row : hinges) equations_.add(row, 1);
   }
 
   static LoopState slid(const LoopSlide& slide, const LoopState& from, const Numbers& step) {
@@ -115,7 +119,7 @@ void evaluate(const FitTask& task, CurveStart& start) {
 }
 
 void improve(const FitTask& task, CurveStart& start, int iterations) {
-  levenberg_marquardt<Step>(task, start, iterations);
+  improve_by_steps<Step>(task, start, iterations);
 }
 
 void slide_to_nearest(const FitTask& task, CurveStart& start) {

@@ -4,6 +4,7 @@
 #include <span>
 #include <vector>
 
+#include "approximate/damped_least_squares.hpp"
 #include "approximate/fit_limits.hpp"
 
 namespace linkwright {
@@ -32,13 +33,8 @@ struct CurveStart {
   [[nodiscard]] double cost() const { return squares + penalties; }
 };
 
-inline constexpr int fit_dimensions = 9;
-
-/// A row of a least squares problem: residual + row·dx.
-struct FitRow {
-  std::array<double, fit_dimensions> row{};
-  double residual = 0;
-};
+inline constexpr std::size_t fit_dimensions = 9;
+using FitRow = LeastSquaresRow<fit_dimensions>;
 
 /// The sums of a linkage at its states.
 void evaluate(const FitTask& task, CurveStart& start);

@@ -5,9 +5,9 @@
 #include <functional>
 #include <iterator>
 
+#include "approximate/fit_parts.hpp"
 #include "approximate/limit_refit.hpp"
 #include "approximate/start_list.hpp"
-#include "linkwright/core/parallel.hpp"
 
 namespace linkwright {
 namespace {
@@ -82,16 +82,8 @@ class Search {
   }
 
  private:
-  // Each index by itself, in parts between which progress is told.
   void for_all(std::size_t count, double from, double to, const std::function<void(std::size_t)>& body) {
-    constexpr std::size_t parts = 8;
-    for (std::size_t part = 0; part < parts && !progress_.is_cancelled(); ++part) {
-      const std::size_t begin = count * part / parts, end = count * (part + 1) / parts;
-      parallel_for(end - begin, options_.threads, [&](std::size_t low, std::size_t high) {
-        for (std::size_t k = begin + low; k < begin + high && !progress_.is_cancelled(); ++k) body(k);
-      });
-      progress_(from + (to - from) * static_cast<double>(part + 1) / static_cast<double>(parts));
-    }
+    for_all_in_parts(count, options_.threads, progress_, from, to, body);
   }
 
   // At the places of a spiral, or again and again where a pivot is given.

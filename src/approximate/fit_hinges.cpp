@@ -9,7 +9,8 @@
 namespace linkwright {
 namespace {
 
-// As branch_weight.
+// Beside distances, in the unit in which the target has a root mean square radius of 1: stiff where the error falls
+// steeply past the limit.
 constexpr double grashof_weight = 30, length_weight = 1, pivot_weight = 10;
 
 constexpr int ground = 0, input = 1, coupler = 2, output = 3;

@@ -6,8 +6,7 @@
 
 namespace linkwright {
 
-/// Of a hinge of the transmission angle, beside distances in a unit in which the points have a root mean square radius
-/// of 1: stiff where the error falls steeply past the limit.
+/// Of the sine of a transmission angle below its limit.
 inline constexpr double branch_weight = 3;
 
 /// A row for each limit of the linkage as a whole that is broken, growing from 0 at the limit.

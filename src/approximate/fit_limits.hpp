@@ -10,6 +10,9 @@
 
 namespace linkwright {
 
+/// Share of a limit that rounding and hinges leave.
+inline constexpr double limit_slack = 1e-6;
+
 /// What linkages are held to, in the unit of the linkage; what is not asked for never binds.
 struct FitLimits {
   static constexpr double unlimited = std::numeric_limits<double>::infinity();

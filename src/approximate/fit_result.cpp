@@ -5,13 +5,10 @@
 #include <tuple>
 #include <variant>
 
-#include "approximate/coupler_circuit.hpp"
-#include "linkwright/core/angle.hpp"
+#include "approximate/drive_verdict.hpp"
 
 namespace linkwright {
 namespace {
-
-constexpr double slack = 1e-6;  // share of a limit that rounding and hinges leave
 
 // One of the up to six linkages that trace the curve – three four-bars, from either grounded link – with its states.
 struct Realisation {
@@ -73,13 +70,13 @@ bool moving_pivots_within(const std::optional<PivotWindow>& window, const FourBa
 
 bool fixed_pivots_within(const std::optional<PivotWindow>& window, const CouplerLinkage& linkage, double length) {
   if (!window) return true;
-  const auto in = [&](Point p) { return distance_to(*window, Vector3{p.real(), p.imag(), 0}) <= slack * length; };
+  const auto in = [&](Point p) { return distance_to(*window, Vector3{p.real(), p.imag(), 0}) <= limit_slack * length; };
   return in(linkage.a0) && in(linkage.b0);
 }
 
 bool has_given_pivots(const CurveFitOptions& options, const CouplerLinkage& linkage, double length) {
   const auto is_at = [&](const std::optional<Point>& given, Point p) {
-    return !given || std::abs(*given - p) <= slack * length;
+    return !given || std::abs(*given - p) <= limit_slack * length;
   };
   return is_at(options.input_pivot, linkage.a0) && is_at(options.output_pivot, linkage.b0);
 }
@@ -87,18 +84,15 @@ bool has_given_pivots(const CurveFitOptions& options, const CouplerLinkage& link
 bool keeps(const FitLimits& limits, const CurveFitOptions& options, const Realisation& of, double diagonal) {
   const LinkLengths lengths = of.linkage.lengths();
   const PivotWindows& windows = options.windows;
-  return has_given_pivots(options, of.linkage, diagonal) && lengths.longest() <= (1 + slack) * limits.max_length &&
-         lengths.shortest() >= (1 - slack) * limits.min_length &&
-         lengths.longest() <= (1 + slack) * limits.max_link_ratio * lengths.shortest() &&
-         grashof_excess(lengths) >= limits.grashof_margin - slack * diagonal &&
-         least_sine(of) >= limits.min_sine - slack && least_turn_sine(lengths) >= limits.min_turn_sine - slack &&
+  return has_given_pivots(options, of.linkage, diagonal) &&
+         lengths.longest() <= (1 + limit_slack) * limits.max_length &&
+         lengths.shortest() >= (1 - limit_slack) * limits.min_length &&
+         lengths.longest() <= (1 + limit_slack) * limits.max_link_ratio * lengths.shortest() &&
+         grashof_excess(lengths) >= limits.grashof_margin - limit_slack * diagonal &&
+         least_sine(of) >= limits.min_sine - limit_slack &&
+         least_turn_sine(lengths) >= limits.min_turn_sine - limit_slack &&
          fixed_pivots_within(windows.ground, of.linkage, diagonal) &&
          moving_pivots_within(windows.moving, placed(of.linkage, of.states.front()).bars);
-}
-
-CurveDrive verdict(const CircuitDrive& drive, CurveDriver input, CurveDriver output) {
-  return {drive.one_circuit, drive.in_order, drive.of(input).no_dead_point, drive.of(output).no_dead_point,
-          drive.of(input).full_turn};
 }
 
 // The one to be driven: free of defects and within the limits; then the better it transmits, then the shorter.
@@ -114,18 +108,6 @@ std::size_t best_realisation(const std::vector<Realisation>& all, const CircuitD
   for (std::size_t k = 1; k < all.size(); ++k)
     if (rank(k) > rank(best)) best = k;
   return best;
-}
-
-// From the first state to each: between sparse points an input may turn by more than half a turn.
-std::vector<double> input_turns(const Realisation& of, const CircuitDrive& drive) {
-  const std::vector<double>& on_the_way = drive.of(of.input).turns;
-  std::vector<double> turns = {0};
-  for (std::size_t j = 1; j < of.states.size(); ++j) {
-    const double turn = std::arg(product(of.states[j].e, std::conj(of.states[0].e)));
-    const double about = on_the_way.empty() ? turns.back() : on_the_way[j];
-    turns.push_back(turn + two_pi * std::round((about - turn) / two_pi));
-  }
-  return turns;
 }
 
 std::vector<FitState> told_states(const Realisation& of, std::span<const double> turns, const CurveTarget& target) {
@@ -156,19 +138,11 @@ CurveError told_error(const std::vector<FitState>& states, const CurveTarget& ta
   return error;
 }
 
-// How far two points may come in the wrong order along the path: their errors move them along it as they do across it,
-// one forwards and the other back. Of many points the farthest off stand for it, within what a few of them make of it.
 double noise_of(const CouplerLinkage& linkage, std::span<const LoopState> states, const CurveTarget& target) {
-  constexpr double both = 2, most = 6;  // times the largest, and the root mean square
-  double square = 0, largest = 0;
-  for (std::size_t j = 0; j < states.size(); ++j) {
-    const double off = std::norm(traced_point(linkage, states[j]) - target.points[j]);
-    square += off;
-    largest = std::max(largest, off);
-  }
-  constexpr double rounding = 1e-9;  // of doubled points
-  return std::min(both * std::sqrt(largest), most * std::sqrt(square / static_cast<double>(states.size()))) +
-         rounding * target.diagonal();
+  std::vector<double> squared;
+  for (std::size_t j = 0; j < states.size(); ++j)
+    squared.push_back(std::norm(traced_point(linkage, states[j]) - target.points[j]));
+  return order_noise(squared, target.diagonal());
 }
 
 }  // namespace
@@ -193,6 +167,11 @@ FitLimits scaled_limits(const CurveFitOptions& options, const ScaledTarget& targ
   return limits;
 }
 
+CouplerLinkage in_fitted_frame(const CouplerLinkage& l, const ScaledTarget& target) {
+  const double unit = target.radius;
+  return {target.scaled(l.a0), target.scaled(l.b0), l.a / unit, l.h / unit, l.b / unit, l.p / unit};
+}
+
 CouplerLinkage in_user_frame(const CouplerLinkage& l, const ScaledTarget& target) {
   const double unit = target.radius;
   return {target.in_user_frame(l.a0), target.in_user_frame(l.b0), unit * l.a, unit * l.h, unit * l.b, unit * l.p};
@@ -213,7 +192,7 @@ CurveFit curve_fit_of(const CouplerLinkage& linkage, std::span<const LoopState> 
 
   CurveFit fit;
   const auto list = [&](const Realisation& of) {
-    fit.input_turns[fit.realisation_count] = input_turns(of, drive);
+    fit.input_turns[fit.realisation_count] = input_turns(of.states, drive.of(of.input).turns);
     fit.realisations[fit.realisation_count++] = placed(of.linkage, of.states.front());
   };
   list(best);

@@ -31,7 +31,8 @@ void require_curve_target(const CurveTarget& target);
 
 /// The same and the window of the fixed pivots, in the frame in which the target is fitted.
 [[nodiscard]] FitLimits scaled_limits(const CurveFitOptions& options, const ScaledTarget& target);
-/// A linkage of that frame.
+/// A linkage of the user's frame in that one, and the reverse.
+[[nodiscard]] CouplerLinkage in_fitted_frame(const CouplerLinkage& linkage, const ScaledTarget& target);
 [[nodiscard]] CouplerLinkage in_user_frame(const CouplerLinkage& linkage, const ScaledTarget& target);
 
 }  // namespace linkwright

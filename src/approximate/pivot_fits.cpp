@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "approximate/curve_search.hpp"
+#include "approximate/fit_parts.hpp"
 #include "approximate/fit_result.hpp"
 #include "approximate/limit_refit.hpp"
 #include "approximate/start_list.hpp"
@@ -176,25 +177,10 @@ class PivotFits::Places {
   }
 
   [[nodiscard]] CurveStart known_start(const CurveFit& fit) const {
-    CurveStart start;
-    const LinkLengths lengths = fit.linkage().bars.lengths();
-    const auto unit = [](Point from, Point to) { return (to - from) / std::abs(to - from); };
-    for (const std::size_t j : scaled_.chosen) {
-      const FourBar& bars = fit.states[j].bars;
-      start.states.push_back({unit(bars.input_fixed, bars.input_moving), unit(bars.input_moving, bars.output_moving)});
-    }
-    const TracingFourBar& first = fit.linkage();
-    const double unit_length = scaled_.radius;
-    start.linkage = {scaled_.scaled(first.bars.input_fixed),
-                     scaled_.scaled(first.bars.output_fixed),
-                     lengths.input / unit_length,
-                     lengths.coupler / unit_length,
-                     lengths.output / unit_length,
-                     product(first.point - first.bars.input_moving,
-                             std::conj(unit(first.bars.input_moving, first.bars.output_moving))) /
-                         unit_length};
-    start.branch = cross(start.states[0].u, LoopGradient(start.linkage, start.states[0]).g) > 0 ? 1 : -1;
-    return start;
+    CurveStart start{in_fitted_frame(coupler_linkage(fit.linkage()), scaled_), {}};
+    for (const std::size_t j : scaled_.chosen)
+      start.states.push_back(loop_state({fit.states[j].bars, fit.states[j].point}));
+    return kept_to_branch(std::move(start));
   }
 
   const CurveTarget target_;

@@ -116,11 +116,6 @@ void turn_within_limits(const FitLimits& limits, CurveStart& start) {
   if (other && broken_share(limits, *other) < broken_share(limits, start)) start = *std::move(other);
 }
 
-void sort_by_cost(std::vector<CurveStart>& starts) {
-  const auto cheaper = [](const CurveStart& a, const CurveStart& b) { return a.cost() < b.cost(); };
-  std::stable_sort(starts.begin(), starts.end(), cheaper);
-}
-
 void keep_best(std::vector<CurveStart>& starts, std::size_t clean, std::size_t any) {
   std::size_t compact = 0;
   for (const CurveStart& start : starts) compact += start.branch != 0 && is_compact(start.linkage) ? 1 : 0;

@@ -34,9 +34,6 @@ namespace linkwright {
 /// Of the two linkages with the same input the one that is farther within the limits.
 void turn_within_limits(const FitLimits& limits, CurveStart& start);
 
-/// The least cost first.
-void sort_by_cost(std::vector<CurveStart>& starts);
-
 /// So many of those with a driver, a third of them compact ones where there are, and of those without.
 void keep_best(std::vector<CurveStart>& starts, std::size_t clean, std::size_t any);
 

@@ -3,8 +3,8 @@
 #include <cmath>
 #include <optional>
 
+#include "approximate/damped_least_squares.hpp"
 #include "approximate/fit_hinges.hpp"
-#include "approximate/levenberg_marquardt.hpp"
 
 namespace linkwright {
 namespace {
@@ -56,18 +56,15 @@ std::array<Point, timed_dimensions> point_rows_of(const CouplerLinkage& l, const
 }
 
 // The square of what the sine of the transmission angle lacks, as branch_hinge() has it for states that slide.
-struct TimedHinge {
-  TimedNumbers row{};
-  double residual = 0;
-};
-std::optional<TimedHinge> timed_branch_hinge(double min_sine, int branch, const CouplerLinkage& l, const LoopState& at,
-                                             const TimedState& state) {
+using TimedRow = LeastSquaresRow<timed_dimensions>;
+std::optional<TimedRow> timed_branch_hinge(double min_sine, int branch, const CouplerLinkage& l, const LoopState& at,
+                                           const TimedState& state) {
   const Point u = at.u, g = state.loop.g;
   const double sine = cross(u, g) / l.b, lacks = min_sine - branch * sine;
   if (lacks <= 0) return std::nullopt;
   const double by_u = (l.h - dot(u, g)) / l.b;
-  TimedHinge hinge{{-u.imag(), u.real(), u.imag(), -u.real(), cross(u, at.e), 0, -sine, 0, 0, l.a * dot(u, at.e)},
-                   branch_weight * lacks};
+  TimedRow hinge{{-u.imag(), u.real(), u.imag(), -u.real(), cross(u, at.e), 0, -sine, 0, 0, l.a * dot(u, at.e)},
+                 branch_weight * lacks};
   for (std::size_t i = 0; i < timed_dimensions; ++i)
     hinge.row[i] = -branch_weight * branch * (hinge.row[i] / l.b + by_u * state.coupler_row[i]);
   return hinge;
@@ -79,7 +76,7 @@ class TimedStep {
     for (std::size_t j = 0; j < start.states.size(); ++j) add_point(j);
     std::vector<FitRow> hinges;
     append_linkage_hinges(task.limits, start.linkage, hinges);
-    for (const FitRow& row : hinges) equations_.add(row.row, row.residual, 1);
+    for (const FitRow& row : hinges) equations_.add(row, 1);
     equations_.hold(start.held);
   }
 
@@ -110,10 +107,10 @@ class TimedStep {
       x[i] = rows[i].real();
       y[i] = rows[i].imag();
     }
-    equations_.add(x, off.real(), task_.weights[j]);
-    equations_.add(y, off.imag(), task_.weights[j]);
+    equations_.add(TimedRow{x, off.real()}, task_.weights[j]);
+    equations_.add(TimedRow{y, off.imag()}, task_.weights[j]);
     if (const auto hinge = timed_branch_hinge(task_.limits.min_sine, start_.branch, l, at, state))
-      equations_.add(hinge->row, hinge->residual, 1);
+      equations_.add(*hinge, 1);
   }
 
   const TimedTask& task_;
@@ -153,7 +150,7 @@ void evaluate(const TimedTask& task, TimedStart& start) {
 }
 
 void improve(const TimedTask& task, TimedStart& start, int iterations) {
-  levenberg_marquardt<TimedStep>(task, start, iterations);
+  improve_by_steps<TimedStep>(task, start, iterations);
 }
 
 }  // namespace linkwright

@@ -32,6 +32,9 @@ struct TimedStart : CurveStart {
 /// The sums of a linkage at its states.
 void evaluate(const TimedTask& task, TimedStart& start);
 
+/// Nothing slides: where it stands is prescribed.
+inline void slide_to_nearest(const TimedTask& task, TimedStart& start) { evaluate(task, start); }
+
 /// Levenberg–Marquardt over the nine numbers of the linkage and the datum.
 void improve(const TimedTask& task, TimedStart& start, int iterations);
 

@@ -2,16 +2,15 @@
 
 #include <algorithm>
 #include <array>
-#include <atomic>
 #include <cmath>
 #include <fmt/format.h>
 #include <limits>
 #include <utility>
 
+#include "fit_requirements.hpp"
 #include "linkwright/core/angle.hpp"
-#include "linkwright/core/parallel.hpp"
-#include "linkwright/mechanism/driver_sequence.hpp"
 #include "linkwright/planar/four_bar_map.hpp"
+#include "listed_cells.hpp"
 #include "pivot_path_family.hpp"
 
 namespace linkwright {
@@ -25,22 +24,6 @@ constexpr auto fitted_measures = [] {
   all.back() = measures::path_error;
   return all;
 }();
-
-MapAxis axis_of(AxisQuantity quantity, std::string_view what, std::size_t count) {
-  MapAxis axis{quantity, {}};
-  for (std::size_t i = 0; i < count; ++i)
-    axis.branches.push_back({std::string(what), static_cast<double>(i), static_cast<double>(i + 1)});
-  return axis;
-}
-
-// The first, and others as far apart as they are in number; of an open path the last, too.
-std::vector<std::size_t> positions_among(std::size_t states, bool closed) {
-  const std::size_t count = std::min(most_positions, states);
-  std::vector<std::size_t> chosen;
-  for (std::size_t k = 0; k < count; ++k)
-    chosen.push_back(closed ? k * states / count : k * (states - 1) / std::max<std::size_t>(1, count - 1));
-  return chosen;
-}
 
 // Of a curve at angles of the crank only those whose cranks turn alike; of absolute angles one.
 std::size_t realisations_of(const NearestTarget& near) {
@@ -106,11 +89,11 @@ FittedPathFamily::FittedPathFamily(NearestTarget near, FitMeasure measure, MapAx
     : PathFamily({near.target.points.front(), near.target.diagonal()}, std::move(input), std::move(output)),
       near_(std::move(near)),
       measure_(measure),
-      positions_(positions_among(near_.target.points.size(), near_.target.closed)) {}
+      positions_(spread_numbers(most_positions, near_.target.points.size(), near_.target.closed)) {}
 
 FittedPathFamily::FittedPathFamily(NearestTarget near, std::vector<CurveFit> fits, FitMeasure measure)
-    : FittedPathFamily(std::move(near), measure, axis_of(AxisQuantity::fitted_curve, "curve", fits.size()),
-                       axis_of(AxisQuantity::realisation, "realisation", realisations_of(near))) {
+    : FittedPathFamily(std::move(near), measure, axis_of_found(AxisQuantity::fitted_curve, "curve", fits.size()),
+                       axis_of_found(AxisQuantity::realisation, "realisation", realisations_of(near))) {
   for (CurveFit& fit : fits) fits_.push_back(std::make_shared<const CurveFit>(std::move(fit)));
 }
 
@@ -176,35 +159,11 @@ std::vector<Cell> FittedPathFamily::all_at(MapPoint place, bool respect_directio
 
 void FittedPathFamily::fill(RegionMap& map, std::span<const double> input, std::span<const double> output,
                             bool respect_direction, const RegionOptions& options, const Progress& progress) const {
-  constexpr bool of_pairs = false;
-  map.lay(input, output, measures(), of_pairs, options);
-  map.give_each_cell_a_driver();
-  std::atomic<std::size_t> done = 0;
-  parallel_for(input.size(), options.threads, [&](std::size_t begin, std::size_t end) {
-    for (std::size_t row = begin; row < end; ++row) {
-      map.leave_empty(row, row + 1);
-      fill_row(map, row, input[row], output, respect_direction, progress);
-      progress(static_cast<double>(++done) / static_cast<double>(input.size()));
-    }
-  });
-}
-
-void FittedPathFamily::fill_row(RegionMap& map, std::size_t row, double input, std::span<const double> output,
-                                bool respect_direction, const Progress& progress) const {
-  const CellAt cell_at = cells(respect_direction);
-  for (std::size_t column = 0; column < output.size() && !progress.is_cancelled(); ++column) {
-    const MapPoint place{input, output[column]};
-    const auto cell = cell_at(place, [](const Cell&) { return true; });
-    if (!cell) continue;
-    const RegionMap::Cells to = map.cells(row, column);
-    *to.type = static_cast<std::uint8_t>(cell->type);
-    *to.defects = cell->defects.bits;
-    for (std::size_t k = 0; k < measures().size(); ++k) *to.measures[k] = static_cast<float>(cell->values[k]);
-    const FourBar& bars = traced_at(place)->linkage().bars;
-    const DriverSequence order =
-        driver_sequence(bars.input_fixed, bars.input_moving, user_poses(place, bars), respect_direction);
-    map.set_driver(row, column, {order.senses(), static_cast<float>(order.sweep_ccw)});
-  }
+  const auto bars_at = [this](MapPoint place) {
+    const auto traced = traced_at(place);
+    return traced ? std::optional(traced->linkage().bars) : std::nullopt;
+  };
+  fill_one_by_one(*this, bars_at, map, input, output, respect_direction, options, progress);
 }
 
 std::optional<FittedPath> FittedPathFamily::fitted_at(MapPoint place) const {
@@ -251,19 +210,15 @@ namespace {
 
 CurveFitOptions fit_options(const NearestTarget& near, const Requirements& requirements, const FitWishes& wishes,
                             const RegionOptions& options) {
-  constexpr double inside = 2e-6;  // twice the slack of a fit: what keeps a limit by it keeps it by the figures told
   CurveFitOptions fit;
   const double diagonal = near.target.diagonal();
   fit.effort = wishes.effort;
   fit.measure = wishes.measure;
-  fit.max_length = (1 - inside) * *requirements.max_length / diagonal;
-  fit.min_length = (1 + inside) * *requirements.min_length / diagonal;
-  fit.max_link_ratio = (1 - inside) * requirements.max_link_ratio;
+  fit.max_length = (1 - fit_inside) * *requirements.max_length / diagonal;
+  fit.min_length = (1 + fit_inside) * *requirements.min_length / diagonal;
+  fit.max_link_ratio = (1 - fit_inside) * requirements.max_link_ratio;
   fit.grashof_margin = wishes.grashof_margin;
-  // None is asked for: the fit yet keeps off dead points, where it would end with round-off deciding what it does.
-  constexpr double off_dead_points = 1e-3;
-  const double least_sine = std::max(std::sin(requirements.min_transmission_angle) + inside, off_dead_points);
-  fit.min_transmission_angle = std::asin(std::min(least_sine, 1.0));
+  fit.min_transmission_angle = fitted_transmission_angle(requirements);
   if (requirements.ground_pivots_within) fit.windows.ground = *requirements.ground_pivots_within;
   if (requirements.moving_pivots_within) fit.windows.moving = *requirements.moving_pivots_within;
   fit.input_pivot = near.pivots.input;

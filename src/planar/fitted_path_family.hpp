@@ -59,8 +59,6 @@ class FittedPathFamily : public PathFamily {
   [[nodiscard]] std::optional<std::size_t> curve_of(const Pivots& pivots) const;
   void fill(RegionMap& map, std::span<const double> input, std::span<const double> output, bool respect_direction,
             const RegionOptions& options, const Progress& progress) const override;
-  void fill_row(RegionMap& map, std::size_t row, double input, std::span<const double> output, bool respect_direction,
-                const Progress& progress) const;
 
   NearestTarget near_;
   std::vector<std::shared_ptr<const CurveFit>> fits_;

@@ -35,6 +35,7 @@ constexpr std::array<ObjectiveRow, static_cast<std::size_t>(Objective::end)> obj
     {Objective::self_close, "self_close", "largest turn from which it closes by itself", &measures::self_close},
     {Objective::best_f1, "best_F1", "smallest F1 of the spring that leaves it free", &measures::best_f1},
     {Objective::path_error, "path_error", "smallest distance from the points", &measures::path_error},
+    {Objective::near_error, "near_error", "smallest error at the near poses", &measures::near_error},
 }};
 
 /// Objectives by themselves, which others walk.

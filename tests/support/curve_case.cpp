@@ -3,20 +3,38 @@
 #include <fstream>
 #include <nlohmann/json.hpp>
 
+#include "linkwright/core/angle.hpp"
 #include "linkwright/mechanism/coupler_curve.hpp"
 #include "linkwright/mechanism/linkage_type.hpp"
 #include "support/random_four_bar.hpp"
 
 namespace linkwright::testing {
 
+namespace {
+
+nlohmann::json json_named(const std::string& name) {
+  return nlohmann::json::parse(std::ifstream(std::string(LINKWRIGHT_DATA_DIR "/approximate/") + name + ".json"));
+}
+
+}  // namespace
+
 CurveCase curve_case(const std::string& name) {
-  const auto json =
-      nlohmann::json::parse(std::ifstream(std::string(LINKWRIGHT_DATA_DIR "/approximate/") + name + ".json"));
+  const auto json = json_named(name);
   CurveCase c;
   c.target.closed = json.at("closed");
   c.best = json.at("best_sum_of_squares");
   for (const auto& point : json.at("points")) c.target.points.emplace_back(point.at(0), point.at(1));
   return c;
+}
+
+PoseTarget pose_case(const std::string& name) {
+  const auto json = json_named(name);
+  PoseTarget target;
+  target.turning_length = json.at("turning_length");
+  target.exact = json.at("exact").get<std::vector<std::size_t>>();
+  for (const auto& pose : json.at("poses"))
+    target.poses.push_back({{pose.at(0), pose.at(1)}, radians(pose.at(2).get<double>())});
+  return target;
 }
 
 TracingFourBar drawn_linkage(std::uint64_t seed, bool crank) {

@@ -4,6 +4,7 @@
 #include <string>
 
 #include "linkwright/approximate/curve_fit.hpp"
+#include "linkwright/approximate/pose_fit.hpp"
 
 namespace linkwright::testing {
 
@@ -13,6 +14,9 @@ struct CurveCase {
   double best = 0;  ///< least sum of squares known, of linkages without defects and within the default limits
 };
 [[nodiscard]] CurveCase curve_case(const std::string& name);
+
+/// Poses published or drawn, data/approximate/<name>.json, some of them exact.
+[[nodiscard]] PoseTarget pose_case(const std::string& name);
 
 /// A linkage that is not near a change point, and its point; a crank where the curve is to be closed.
 [[nodiscard]] TracingFourBar drawn_linkage(std::uint64_t seed, bool crank);

@@ -18,6 +18,7 @@
 namespace linkwright {
 
 class LengthCheck;
+struct PoseFit;
 
 struct DyadPair {
   Dyad input, output;
@@ -65,6 +66,11 @@ class FourBarFamily : public LinkageFamily {
   /// coordinate.
   [[nodiscard]] virtual std::vector<Dyad> polygon(Side side) const = 0;
 
+  /// There are near poses beside the exact ones: said once, by whoever sets the family up, before anything asks it.
+  virtual void has_near_poses() const {}
+  /// Of linkages that were fitted to near poses: how that at a place was; null where there is none, and of others.
+  [[nodiscard]] virtual const PoseFit* fit_at(MapPoint /*place*/) const { return nullptr; }
+
   [[nodiscard]] std::span<const Measure> measures() const override { return planar_measures; }
   [[nodiscard]] CellAt cells(bool respect_direction) const override;
   [[nodiscard]] MapPivots pivots(const RegionMap& map) const override;
@@ -96,6 +102,9 @@ class MotionFamily : public FourBarFamily {
   /// `poses`: the task's, user's frame.
   MotionFamily(WorkingFrame frame, std::vector<PrescribedPose> poses, MapAxis input, MapAxis output);
 
+  [[nodiscard]] const LinkageClass& linkages() const override { return *linkages_; }
+  void has_near_poses() const override { linkages_ = &near_motion_linkages; }
+
   [[nodiscard]] std::vector<PrescribedPose> user_poses(MapPoint /*place*/, const FourBar& /*bars*/) const override {
     return user_poses_;
   }
@@ -108,6 +117,7 @@ class MotionFamily : public FourBarFamily {
 
  private:
   std::vector<PrescribedPose> user_poses_, working_poses_;
+  mutable const LinkageClass* linkages_ = &planar_linkages;
 };
 
 /// Each dyad depends on its own coordinate alone.

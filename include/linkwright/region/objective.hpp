@@ -15,8 +15,8 @@ namespace linkwright {
 /// usable length over the longest link, the least deviation, the most even velocity; of all that
 /// are made with tolerances the least error by them, the largest yield; of all that carry loads the least hand force,
 /// the best hold, the least force of a pin, the least torque, the least force of the cylinder, the least turn from
-/// which it rises by itself, the largest from which it closes, the weakest spring; of paths that pass near points the
-/// smallest error.
+/// which it rises by itself, the largest from which it closes, the weakest spring; of paths that pass near points, and
+/// of motions past near poses, the smallest error.
 enum class Objective {
   min_transmission_angle,
   link_ratio,
@@ -37,6 +37,7 @@ enum class Objective {
   self_close,
   best_f1,
   path_error,
+  near_error,
   end  ///< none: how many there are
 };
 /// All there are.

@@ -8,30 +8,36 @@
 
 namespace linkwright {
 
-/// H dx = −g of N unknowns, lower triangle: the sums of the rows of a least squares problem.
-template <std::size_t N>
-struct NormalEquations {
-  using Numbers = std::array<double, N>;
+/// A row of a least squares problem in `dimensions` unknowns: residual + row·dx.
+template <std::size_t dimensions>
+struct LeastSquaresRow {
+  std::array<double, dimensions> row{};
+  double residual = 0;
+};
 
-  std::array<Numbers, N> h{};
+/// H dx = −g, lower triangle.
+template <std::size_t dimensions>
+struct NormalEquations {
+  using Numbers = std::array<double, dimensions>;
+
+  std::array<Numbers, dimensions> h{};
   Numbers g{};
 
-  /// The square of residual + row·dx; of unknowns beyond the row it does not depend.
-  template <std::size_t M>
-  void add(const std::array<double, M>& row, double residual, double weight) {
-    static_assert(M <= N);
-    for (std::size_t i = 0; i < M; ++i) {
-      const double weighted = weight * row[i];
-      g[i] += weighted * residual;
-      for (std::size_t j = 0; j <= i; ++j) h[i][j] += weighted * row[j];
+  /// A row may leave the last unknowns out.
+  template <std::size_t some>
+  void add(const LeastSquaresRow<some>& row, double weight) {
+    static_assert(some <= dimensions);
+    for (std::size_t i = 0; i < some; ++i) {
+      const double weighted = weight * row.row[i];
+      g[i] += weighted * row.residual;
+      for (std::size_t j = 0; j <= i; ++j) h[i][j] += weighted * row.row[j];
     }
   }
-
-  /// Unknowns whose bits are set stay.
+  /// Unknowns of these bits do not move.
   void hold(unsigned held) {
-    for (std::size_t i = 0; i < N; ++i) {
+    for (std::size_t i = 0; i < dimensions; ++i) {
       if ((held >> i & 1) == 0) continue;
-      for (std::size_t j = 0; j < N; ++j) (j < i ? h[i][j] : h[j][i]) = 0;
+      for (std::size_t j = 0; j < dimensions; ++j) (j < i ? h[i][j] : h[j][i]) = 0;
       g[i] = 0;
     }
   }
@@ -40,9 +46,9 @@ struct NormalEquations {
   [[nodiscard]] bool damped_step(double damping, Numbers& step) const {
     auto l = h;
     double trace = 0;
-    for (std::size_t i = 0; i < N; ++i) trace += l[i][i];
+    for (std::size_t i = 0; i < dimensions; ++i) trace += l[i][i];
     const double least = 1e-15 * trace + 1e-300;
-    for (std::size_t i = 0; i < N; ++i) {
+    for (std::size_t i = 0; i < dimensions; ++i) {
       l[i][i] += damping * l[i][i] + least;
       for (std::size_t j = 0; j <= i; ++j) {
         double sum = l[i][j];
@@ -51,23 +57,23 @@ struct NormalEquations {
         l[i][j] = i == j ? std::sqrt(sum) : sum / l[j][j];
       }
     }
-    for (std::size_t i = 0; i < N; ++i) {
+    for (std::size_t i = 0; i < dimensions; ++i) {
       double sum = -g[i];
       for (std::size_t k = 0; k < i; ++k) sum -= l[i][k] * step[k];
       step[i] = sum / l[i][i];
     }
-    for (std::size_t i = N; i-- > 0;) {
-      for (std::size_t k = i + 1; k < N; ++k) step[i] -= l[k][i] * step[k];
+    for (std::size_t i = dimensions; i-- > 0;) {
+      for (std::size_t k = i + 1; k < dimensions; ++k) step[i] -= l[k][i] * step[k];
       step[i] /= l[i][i];
     }
     return true;
   }
 };
 
-/// K. Levenberg (1944), D. Marquardt (1963). Step(task, start) lays out the normal equations; take(damping, next) says
-/// whether there is a next start with that damping. Ends after `iterations`, or `converged`.
+/// Levenberg–Marquardt from a start on (`cost()`, `damping`, `converged`): a Step(task, start) holds the normal
+/// equations there, and take(damping, next) says whether a step can be taken. Ends after `iterations`, or `converged`.
 template <class Step, class Task, class Start>
-void levenberg_marquardt(const Task& task, Start& start, int iterations) {
+void improve_by_steps(const Task& task, Start& start, int iterations) {
   constexpr double least_damping = 1e-14, most_damping = 1e10, standing = 1e-9;
   constexpr int standing_steps = 4;
   Start next = start;
