@@ -298,7 +298,7 @@ void by_table(FieldVisitor& v, DriverMotion& motion) {
   v.required(Field("table",
                    "From [0, 0] to [duration, 1]: a smooth motion from rest to rest through these points, a cubic "
                    "spline."),
-             table, points, Pair{.form = "[seconds, share of the turn]", .each = number});
+             table, points, Pair{.form = "[t, s]", .each = number});
   motion = {.law = DriverMotion::Law::table, .table = {}};
   for (const auto& [time, share] : table) motion.table.push_back({time, share});
 }

@@ -47,7 +47,7 @@ describe("suggested loads", () => {
         max_pin_force: 1e6,
       },
     };
-    expect(keys.slice(-5)).toEqual(Object.keys(criteria.requirements));
+    expect(keys.filter((key) => key in criteria.requirements)).toEqual(Object.keys(criteria.requirements));
     expect(Object.keys(criteria_of(kind_of(problem.task)).requirements).sort()).toEqual([...keys].sort());
     expect(properties_of(asked)).toEqual(
       expect.arrayContaining(["hand_force", "max_open_force", "max_close_force", "hold_open", "max_pin_force"]),
