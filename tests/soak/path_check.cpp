@@ -102,6 +102,8 @@ Wrongs wrongs_of_near_path(const PathTask& task, const json& entry) {
   const json& defects = entry["defects"];
   if (!bars || defects["order"].get<bool>() || defects["branch"].get<bool>() || defects["circuit"].get<bool>())
     return wrongs;
+  constexpr double near_dead_point = 1;  // degrees: there the steps below lose the assembly
+  if (!(entry["min_transmission_angle_deg"].get<double>() > near_dead_point)) return wrongs;
   const double allowed = most * extent(task, *bars) + 1e3 * rounding_of_places(*bars);
   const Point share = (bars->point - bars->input_moving) / (bars->output_moving - bars->input_moving);
   Point joint = bars->output_moving;
