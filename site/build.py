@@ -170,7 +170,7 @@ def pages_of(folder, titled=lambda text, _: title_of(text)):
 
 
 def tutorials(language):
-    order = ("tailgate", "wrist", "crane", "mixer")
+    order = ("tailgate", "wrist", "crane", "mixer", "spoon")
     return [f"tutorials/{name}{language}.md" for name in order if (PAGES / f"tutorials/{name}{language}.md").exists()]
 
 

@@ -145,7 +145,8 @@ LinkageFamily::CellAt FittedPathFamily::cells(bool respect_direction) const {
     const CurveError error = error_of(near_, *traced->fit);
     cell->values[planar_measures.size()] = measure_ == FitMeasure::least_largest ? error.max : error.rms;
     if (near_.target.closed) cell->values[0] = cell->values[1];  // it is run all along
-    if (near_.target.closed && !input_is_crank(cell->type)) cell->defects.bits |= Defects::branch_bit;
+    if (near_.target.closed && !input_is_crank(cell->type) && cell->defects.none())
+      cell->defects.bits |= Defects::branch_bit;
     return cell;
   };
 }

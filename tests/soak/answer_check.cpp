@@ -101,6 +101,8 @@ const std::set<std::string>& keys_that_may_be_null() {
                                              "measured_at",
                                              "percent_per_10K",
                                              "path",
+                                             "max_path_error",
+                                             "grashof_margin",
                                              "max_open_force",
                                              "max_close_force",
                                              "hold_open",
@@ -398,6 +400,12 @@ void check_order(const json& result, Wrongs& wrongs) {
       worth = entry["stroke_over_longest"].get<double>();
     } else if (objective == "deviation" || objective == "velocity_uniformity") {
       continue;  // over what, the case tells
+    } else if (objective == "path_error") {
+      const auto& error = entry["fit"]["error"];
+      const json& options = result["problem"]["options"];
+      const bool largest =
+          options.contains("fit") && options["fit"].value("measure", "least_squares") == "least_largest";
+      worth = -error[largest ? "max" : "rms"].get<double>();
     } else if (objective == "link_ratio") {
       worth = -entry["link_ratio"].get<double>();
     } else if (objective == "min_transmission_angle") {

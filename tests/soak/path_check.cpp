@@ -82,17 +82,16 @@ void check_pivot(const std::optional<Point>& given, Point pivot, double allowed,
     wrongs.push_back(fmt::format("a ground pivot that is given is missed by {:.1e}", std::abs(pivot - *given)));
 }
 
-// The pin of the output on its circle and the coupler's, on the side of where it was.
-std::optional<Point> output_pin(const Bars& bars, Point input_pin, Point before) {
+// The pin of the output on its circle and the coupler's, to the left (1) or to the right (-1) of the diagonal.
+std::optional<Point> output_pin(const Bars& bars, Point input_pin, double side) {
   const double coupler = std::abs(bars.output_moving - bars.input_moving),
                output = std::abs(bars.output_moving - bars.output_fixed);
   const Point along = bars.output_fixed - input_pin;
   const double apart = std::abs(along), foot = (apart * apart + coupler * coupler - output * output) / (2 * apart);
   const double square = coupler * coupler - foot * foot;
   if (!(square > -1e-9 * coupler * coupler)) return std::nullopt;
-  const Point unit = along / apart, up = Point{0, std::sqrt(std::max(square, 0.0))} * unit;
-  const Point one = input_pin + foot * unit + up, other = input_pin + foot * unit - up;
-  return std::abs(one - before) < std::abs(other - before) ? one : other;
+  const Point unit = along / apart, up = Point{0, side * std::sqrt(std::max(square, 0.0))} * unit;
+  return input_pin + foot * unit + up;
 }
 
 // Turns the crank from point to point and looks where the coupler's point is.
@@ -102,9 +101,12 @@ Wrongs wrongs_of_near_path(const PathTask& task, const json& entry) {
   const json& defects = entry["defects"];
   if (!bars || defects["order"].get<bool>() || defects["branch"].get<bool>() || defects["circuit"].get<bool>())
     return wrongs;
+  constexpr double near_dead_point = 0.2;  // degrees: there rounding decides on which side it stands
+  if (!(entry["min_transmission_angle_deg"].get<double>() > near_dead_point)) return wrongs;
   const double allowed = most * extent(task, *bars) + 1e3 * rounding_of_places(*bars);
   const Point share = (bars->point - bars->input_moving) / (bars->output_moving - bars->input_moving);
   Point joint = bars->output_moving;
+  const double side = cross(bars->output_fixed - bars->input_moving, joint - bars->input_moving) > 0 ? 1 : -1;
   double turned = 0;
   for (const json& at : entry["fit"]["at"]) {
     const double to = radians(at["input_deg"].get<double>());
@@ -112,7 +114,7 @@ Wrongs wrongs_of_near_path(const PathTask& task, const json& entry) {
     const double step = (to - turned) / steps;
     for (int k = 1; k <= steps; ++k) {
       const Point pin = bars->input_fixed + direction(turned + k * step) * (bars->input_moving - bars->input_fixed);
-      const auto next = output_pin(*bars, pin, joint);
+      const auto next = output_pin(*bars, pin, side);
       if (!next) return {fmt::format("its crank cannot be turned to point {}", at["point"].get<int>())};
       joint = *next;
       if (k < steps) continue;
