@@ -1,4 +1,4 @@
-// Paths that pass near published points: error and time, by effort.
+// Paths that pass near published points, and motions past near poses: error and time, by effort.
 
 #include <benchmark/benchmark.h>
 #include <fstream>
@@ -6,6 +6,8 @@
 #include <string>
 
 #include "linkwright/approximate/curve_fit.hpp"
+#include "linkwright/approximate/pose_fit.hpp"
+#include "linkwright/core/angle.hpp"
 
 namespace linkwright::bench::fit_bench {
 namespace {
@@ -28,6 +30,36 @@ void fit(benchmark::State& state, const std::string& name, FitEffort effort) {
   for (auto _ : state) error = fit_curve(target, options).fits.front().error.sum_of_squares;
   state.counters["sum_of_squares"] = error;
 }
+
+PoseTarget poses_named(const std::string& name) {
+  const auto json = nlohmann::json::parse(std::ifstream(LINKWRIGHT_DATA_DIR "/approximate/" + name + ".json"));
+  PoseTarget target;
+  target.turning_length = json.at("turning_length");
+  target.exact = json.at("exact").get<std::vector<std::size_t>>();
+  for (const auto& pose : json.at("poses"))
+    target.poses.push_back({{pose[0].get<double>(), pose[1].get<double>()}, radians(pose[2].get<double>())});
+  return target;
+}
+
+void fit_all_poses(benchmark::State& state, const std::string& name, FitEffort effort) {
+  const PoseTarget target = poses_named(name);
+  PoseFitOptions options;
+  options.effort = effort;
+  options.max_link_ratio = 20;
+  options.threads = 1;
+  double error = 0;
+  for (auto _ : state) error = fit_poses(target, options).fits.front().error.rms;
+  state.counters["rms"] = error;
+}
+
+const bool poses_registered = [] {
+  for (const char* const target : {"poses_hsieh1", "poses_tailgate8"})
+    for (const FitEffort effort : {FitEffort::quick, FitEffort::standard, FitEffort::deep})
+      benchmark::RegisterBenchmark(("fit/" + std::string(target) + "/" + std::string(name(effort))).c_str(),
+                                   [=](benchmark::State& state) { fit_all_poses(state, target, effort); })
+          ->Unit(benchmark::kMillisecond);
+  return true;
+}();
 
 const bool registered = [] {
   for (const char* const target : {"mkh2", "mkh3", "yu1", "yu2", "tri24", "gait13", "wu3_open"})

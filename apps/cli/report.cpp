@@ -61,6 +61,7 @@ std::string curve_words(const FourBarAnswer& answer, const CurveNames& names) {
 /// Where the four-bars lie that are counted.
 std::string map_words(const MotionAnswer& answer) {
   const MapAxis& axis = answer.family()->axis(Side::output);
+  if (answer.task.is_fitted()) return "The list of the nearest linkages";
   if (axis.quantity == AxisQuantity::nothing) return "What is given";
   const bool is_plane = axis.quantity == AxisQuantity::center_x || axis.quantity == AxisQuantity::circle_x;
   const std::string_view map = is_plane             ? "The solution region of {} × {} places of the pivot"
@@ -162,6 +163,8 @@ std::string score_words(const SynthesisOptions& options, const FourBarSolution& 
     case Objective::path_error:
       return options.fit.measure == FitMeasure::least_largest ? significant_text(error.max, 4) + " (largest)"
                                                               : significant_text(error.rms, 4) + " (root mean square)";
+    case Objective::near_error:
+      return significant_text(found.near ? found.near->error.rms : 0, 4) + " (root mean square)";
     case Objective::structural_error:
       return significant_text(degrees(found.function ? found.function->max_structural_error.value_or(0) : 0), 3) + "°";
     default:
@@ -325,7 +328,8 @@ std::string report_of_kind(const Problem& problem, const MotionAnswer& answer) {
   return heading(problem, point_count(answer)) + curve_words(answer, {}) + free_words(answer) +
          counts_of(problem, answer) + warnings_words(answer) + dyad_words(answer) +
          pair_words(answer, "Their pairs as four-bars, the first dyad the input link, best first:\n") +
-         linkages_words(problem, answer) + nothing_words(problem, answer) + ways_out_words(problem, answer);
+         linkages_words(problem, answer) + near_table(problem, answer) + nothing_words(problem, answer) +
+         ways_out_words(problem, answer);
 }
 
 std::string report_of_kind(const Problem& problem, const FunctionAnswer& answer) {

@@ -95,6 +95,8 @@ namespace linkwright::cli {
 
 /// How the linkages listed lead the point, a row to each; empty where none is.
 [[nodiscard]] std::string path_table(const Problem& problem, const PathAnswer& answer);
+/// How near linkages carry their body to near poses; empty without such.
+[[nodiscard]] std::string near_table(const Problem& problem, const MotionAnswer& answer);
 
 /// Five positions: every pair as a four-bar, and why it fails; five precision points: every linkage. Empty for others.
 [[nodiscard]] std::string pair_words(const FourBarAnswer& answer, std::string_view heading);

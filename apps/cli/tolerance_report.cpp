@@ -147,7 +147,7 @@ std::string tolerance_table(const Problem& problem, const Findings& found) {
 }
 
 std::optional<std::string> analysis_score(const Findings& found, std::size_t place, std::string_view unit) {
-  if (!is_of_analysis(found.options.objective)) return std::nullopt;
+  if (!is_of_analysis(found.options.objective) || found.options.objective == Objective::near_error) return std::nullopt;
   if (measure_of(found.options.objective) != measures::tolerance_error && found.options.objective != Objective::yield)
     return load_score(found, place);
   if (place >= found.tolerance.size() || !found.tolerance[place]) return "–";

@@ -127,7 +127,7 @@ void fields(FieldVisitor& v, const PlacedLinkage& of) {
   bool moves = !of.picked.travel.states.empty();
   v.object({.name = "linkage_reply", .on_lines = true}, [&](FieldVisitor& to) {
     place_field(to, of.picked.place);
-    to.shown(Field("fails", "Bits of the requirements that it fails."), int{of.picked.fails}, natural);
+    to.shown(Field("fails", "Bits of the requirements that it fails."), static_cast<int>(of.picked.fails), natural);
     to.shown(Field("reason", "Why there is none, or it does not do the task."), reason);
     record_field(to, of.record, true);
     more_fields(to, of.more);

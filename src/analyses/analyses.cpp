@@ -48,8 +48,10 @@ bool analyze_alike(const SynthesisOptions& a, const SynthesisOptions& b) {
   return a.tolerances == b.tolerances && a.loads == b.loads;
 }
 
-AddedMeasures added_measures(const LinkageFamily& family, const SynthesisOptions& options, bool with_sampled) {
+AddedMeasures added_measures(const LinkageFamily& family, const SynthesisOptions& options,
+                             const std::shared_ptr<const CellMeasure>& of_task, bool with_sampled) {
   AddedMeasures added = options.loads ? load_measures(family, *options.loads) : AddedMeasures{};
+  if (of_task) added.all.insert(added.all.begin(), {.measure = of_task});
   if (options.tolerances)
     for (AddedMeasure& measure : tolerance_measures(family, *options.tolerances, with_sampled).all)
       added.all.push_back(std::move(measure));

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <cstddef>
+#include <memory>
 #include <string_view>
 #include <vector>
 
@@ -36,9 +37,10 @@ void analysis_fields(FieldVisitor& v, SynthesisOptions& options, std::string_vie
 /// Whether the blocks say the same.
 [[nodiscard]] bool analyze_alike(const SynthesisOptions& a, const SynthesisOptions& b);
 
-/// What the options ask of the linkages of a map, which must outlive it; `with_sampled` what is sampled, too.
+/// What the options ask of the linkages of a map, which must outlive it, and what the task does (Findings::of_task);
+/// `with_sampled` what is sampled, too.
 [[nodiscard]] AddedMeasures added_measures(const LinkageFamily& family, const SynthesisOptions& options,
-                                           bool with_sampled = true);
+                                           const std::shared_ptr<const CellMeasure>& of_task, bool with_sampled = true);
 
 /// Of the linkages listed; those that do not meet by it what is required are left out. Cancelled: of those reached.
 /// Stricter requirements by which a search is likely to end at linkages that are not left out; nothing: none was.

@@ -36,6 +36,15 @@ PoseFit told(const BodyStart& start, const PoseTarget& target, const PoseFrame& 
   return rank(other) > rank(one) ? other : one;
 }
 
+std::vector<PoseFit> all_told(const std::vector<BodyStart>& minima, const PoseTarget& target, const PoseFrame& frame,
+                              const PoseFitOptions& options) {
+  std::vector<PoseFit> all(minima.size());
+  parallel_for(all.size(), options.threads, [&](std::size_t begin, std::size_t end) {
+    for (std::size_t k = begin; k < end; ++k) all[k] = told(minima[k], target, frame, options);
+  });
+  return all;
+}
+
 double measured(const PoseFit& fit, const PoseTarget& target, FitMeasure measure) {
   if (measure == FitMeasure::least_squares) return fit.error.sum_of_squares;
   const PoseState& worst = fit.states[fit.error.max_at];
@@ -75,12 +84,14 @@ PoseFits sorted_out(std::vector<PoseFit> all, const PoseTarget& target, const Po
 PoseFits fit_poses(const PoseTarget& target, const PoseFitOptions& options, const Progress& progress) {
   require_pose_target(target);
   const PoseFrame frame(target);
-  const PoseSearch search = search_poses(target, frame, scaled_limits(options, frame), options, progress);
-  std::vector<PoseFit> all(search.minima.size());
-  parallel_for(all.size(), options.threads, [&](std::size_t begin, std::size_t end) {
-    for (std::size_t k = begin; k < end; ++k) all[k] = told(search.minima[k], target, frame, options);
-  });
-  PoseFits found = sorted_out(std::move(all), target, options);
+  const FitLimits limits = scaled_limits(options, frame);
+  const PoseSearch search = search_poses(target, frame, limits, options, progress);
+  PoseFits found = sorted_out(all_told(search.minima, target, frame, options), target, options);
+  if (found.fits.empty() && !search.cancelled) {
+    const Progress silent{{}, progress.cancelled};
+    const auto again = fit_in_turn(search.minima, target, frame, limits, options, silent);
+    found.fits = sorted_out(all_told(again, target, frame, options), target, options).fits;
+  }
   found.counts = {search.dyads, search.starts, search.minima.size()};
   found.cancelled = search.cancelled;
   return found;

@@ -3,9 +3,11 @@
 #include <algorithm>
 #include <cmath>
 #include <iterator>
+#include <limits>
 #include <numeric>
 #include <optional>
 
+#include "approximate/circuit_assignment.hpp"
 #include "approximate/fit_parts.hpp"
 #include "approximate/limit_refit.hpp"
 #include "approximate/pose_pairs.hpp"
@@ -134,8 +136,43 @@ class PoseSearcher {
     return found;
   }
 
+  Starts run_in_turn(const Starts& minima) {
+    constexpr std::size_t best = 10;
+    Starts starts;
+    for (std::size_t k = 0; k < std::min(best, minima.size()) && !progress_.is_cancelled(); ++k)
+      for (const BodyLinkage& linkage : {minima[k].linkage, swapped(minima[k].linkage)})
+        for (const int branch : {1, -1})
+          if (auto start = in_turn(linkage, minima[k].states.front(), branch)) starts.push_back(*std::move(start));
+    improve_all(starts, task_of(fine_, fine_weights_), 150, 0, 0.7);
+    keep_best(starts, effort_.kept / 2);
+    return finished(std::move(starts));
+  }
+
  private:
   static constexpr std::size_t most_coarse = 30;
+
+  // Nothing where no such states exist on the circuit.
+  [[nodiscard]] std::optional<BodyStart> in_turn(const BodyLinkage& linkage, const BodyPose& on_circuit,
+                                                 int branch) const {
+    const CouplerCircuit circuit(coupler_linkage(linkage), loop_state(linkage, on_circuit), turning_length_);
+    if (circuit.states().size() < 3) return std::nullopt;
+    std::vector<BodyPose> states;
+    std::vector<bool> is_on_branch;
+    for (const LoopState& state : circuit.states()) {
+      states.push_back(body_pose(linkage, state));
+      is_on_branch.push_back(branch * transmission_sine(linkage, states.back()) > 0);
+    }
+    const auto cost = [&](std::size_t state, std::size_t pose) {
+      if (!is_on_branch[state]) return std::numeric_limits<double>::infinity();
+      return fine_weights_[pose] * square(move_between(fine_.poses[pose], states[state], turning_length_));
+    };
+    BodyStart start{linkage, {}, branch};
+    for (const LoopState& state : states_in_turn(circuit, fine_.poses.size(), cost)) {
+      start.states.push_back(body_pose(linkage, state));
+      if (!(branch * transmission_sine(linkage, start.states.back()) > 0)) return std::nullopt;
+    }
+    return start;
+  }
 
   static std::vector<std::size_t> all_of(const PoseTarget& target) {
     std::vector<std::size_t> all(target.poses.size());
@@ -219,7 +256,7 @@ class PoseSearcher {
   [[nodiscard]] Starts finished(Starts starts) const {
     sort_by_cost(starts);
     keep_distinct(starts);
-    if (fine_.poses.size() > coarse_.poses.size()) spread(starts);
+    spread(starts);
     const PoseFitTask task = task_of(fine_, fine_weights_);
     improve_all(starts, task, 60, 0.8, 0.9);
     creep(starts, task);
@@ -245,14 +282,16 @@ class PoseSearcher {
     return fine_.exact.empty() ? std::vector<double>{} : std::vector<double>{1e4, 1e7, 1e10, 1e13};
   }
 
+  // Starts at the chosen poses alone, to all.
   void spread(Starts& starts) const {
     Starts kept;
     for (BodyStart& start : starts) {
-      BodyStart all = start;
-      all.states = fine_.poses;
-      all.converged = false;
-      if (!close_states(task_of(fine_, fine_weights_), all)) continue;
-      kept.push_back(std::move(all));
+      if (start.states.size() < fine_.poses.size()) {
+        start.states = fine_.poses;
+        start.converged = false;
+        if (!close_states(task_of(fine_, fine_weights_), start)) continue;
+      }
+      kept.push_back(std::move(start));
     }
     starts = std::move(kept);
   }
@@ -294,6 +333,12 @@ PoseSearchEffort pose_search_effort(FitEffort effort) {
 PoseSearch search_poses(const PoseTarget& target, const PoseFrame& frame, const FitLimits& limits,
                         const PoseFitOptions& options, const Progress& progress) {
   return PoseSearcher(target, frame, limits, options, progress).run();
+}
+
+std::vector<BodyStart> fit_in_turn(const std::vector<BodyStart>& minima, const PoseTarget& target,
+                                   const PoseFrame& frame, const FitLimits& limits, const PoseFitOptions& options,
+                                   const Progress& progress) {
+  return PoseSearcher(target, frame, limits, options, progress).run_in_turn(minima);
 }
 
 }  // namespace linkwright

@@ -233,7 +233,7 @@ TaskScene scene_of_best(const FourBarAnswer& answer, const Task& task) {
 TaskScene task_scene(const MotionAnswer& answer) {
   const MotionTask& task = answer.task;
   TaskScene scene = scene_of_best(answer, task);
-  scene.frames = task.poses;
+  scene.frames = all_poses(task);
   const TaskFamily& given = answer.given;
   if (!given.curve)
     for (const BurmesterPoint& point : given.points) scene.beads.push_back(given.frame().to_user(point.dyad));
@@ -241,7 +241,9 @@ TaskScene task_scene(const MotionAnswer& answer) {
     scene.input_links = links_along(*given.family, Side::input);
     if (!given.family->is_symmetric()) scene.output_links = links_along(*given.family, Side::output);
   }
-  if (scene.linkage != nullptr) {
+  if (scene.linkage != nullptr && given.near) {
+    scene.served = given.family->user_poses(answer.point_of(answer.linkages.front()), scene.linkage->four_bar);
+  } else if (scene.linkage != nullptr) {
     scene.served = task.relaxed ? relaxed_task(task, *task.relaxed).task.poses : task.poses;
   } else if (const RelaxedPosition* way_out = way_to_show(answer); way_out != nullptr && way_out->linkage) {
     scene.linkage = &*way_out->linkage;

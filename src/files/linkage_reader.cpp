@@ -1,3 +1,4 @@
+#include <algorithm>
 #include <cmath>
 #include <fmt/format.h>
 #include <optional>
@@ -184,13 +185,19 @@ std::optional<TracedBars> read_four_bar(const JsonValue& value, Mistakes& mistak
   return std::nullopt;
 }
 
+/// A pose of a task that linkages are not to pass exactly.
+bool is_near(const Json& pose) { return pose.is_object() && pose.value("near", Json(false)) == Json(true); }
+
 void read_linkage_poses(const JsonValue& value, Mistakes& mistakes, std::vector<PrescribedPose>& poses) {
-  if (value.json().is_array() && value.json().size() > max_poses) {
+  const Json& all = value.json();
+  const auto near = all.is_array() ? std::count_if(all.begin(), all.end(), is_near) : 0;
+  if (all.is_array() && all.size() > max_poses + static_cast<std::size_t>(near)) {
     value.mistake("poses_read", fmt::format("at most {} poses are read; remove the others", max_poses),
                   {{"most", max_poses}});
     return;
   }
   value.for_each({"poses", "a list of poses"}, [&](const JsonValue& item) {
+    if (is_near(item.json())) return;
     if (auto pose = read_fields<PrescribedPose>(item, mistakes, OtherMembers::ignored))
       poses.push_back(*std::move(pose));
   });

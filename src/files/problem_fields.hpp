@@ -32,6 +32,8 @@ void fields(FieldVisitor& v, PrescribedOrientation& orientation);
 void fields(FieldVisitor& v, ThreeLinkChain& chain);
 /// The member `poses` of a task.
 void pose_fields(FieldVisitor& v, std::vector<PrescribedPose>& poses, std::vector<BodyPoints>& points);
+/// The same of a motion, some of whose poses may be near.
+void motion_pose_fields(FieldVisitor& v, MotionTask& task);
 /// Those of a task.
 [[nodiscard]] List orientation_list();
 /// The members `pairs` or `function`, and `free`, as members of a task.

@@ -7,9 +7,10 @@
 #include <limits>
 #include <utility>
 
+#include "fit_requirements.hpp"
 #include "linkwright/core/angle.hpp"
-#include "linkwright/mechanism/driver_sequence.hpp"
 #include "linkwright/planar/four_bar_map.hpp"
+#include "listed_cells.hpp"
 
 namespace linkwright {
 namespace {
@@ -22,22 +23,6 @@ constexpr auto fitted_measures = [] {
   all.back() = measures::path_error;
   return all;
 }();
-
-MapAxis axis_of(AxisQuantity quantity, std::string_view what, std::size_t count) {
-  MapAxis axis{quantity, {}};
-  for (std::size_t i = 0; i < count; ++i)
-    axis.branches.push_back({std::string(what), static_cast<double>(i), static_cast<double>(i + 1)});
-  return axis;
-}
-
-// The first, and others as far apart as they are in number; of an open path the last, too.
-std::vector<std::size_t> positions_among(std::size_t states, bool closed) {
-  const std::size_t count = std::min(most_positions, states);
-  std::vector<std::size_t> chosen;
-  for (std::size_t k = 0; k < count; ++k)
-    chosen.push_back(closed ? k * states / count : k * (states - 1) / std::max<std::size_t>(1, count - 1));
-  return chosen;
-}
 
 Point unit_towards(Point from, Point to) { return (to - from) / std::abs(to - from); }
 
@@ -87,12 +72,12 @@ CurveError error_of(const NearestTarget& near, const CurveFit& fit) {
 
 FittedPathFamily::FittedPathFamily(NearestTarget near, std::vector<CurveFit> fits, FitMeasure measure)
     : PathFamily({near.target.points.front(), near.target.diagonal()},
-                 axis_of(AxisQuantity::fitted_curve, "curve", fits.size()),
-                 axis_of(AxisQuantity::realisation, "realisation", most_realisations)),
+                 axis_of_found(AxisQuantity::fitted_curve, "curve", fits.size()),
+                 axis_of_found(AxisQuantity::realisation, "realisation", most_realisations)),
       near_(std::move(near)),
       fits_(std::move(fits)),
       measure_(measure),
-      positions_(positions_among(near_.target.points.size(), near_.target.closed)) {}
+      positions_(spread_numbers(most_positions, near_.target.points.size(), near_.target.closed)) {}
 
 std::span<const Measure> FittedPathFamily::measures() const { return fitted_measures; }
 
@@ -155,26 +140,7 @@ std::vector<Cell> FittedPathFamily::all_at(MapPoint place, bool respect_directio
 
 void FittedPathFamily::fill(RegionMap& map, std::span<const double> input, std::span<const double> output,
                             bool respect_direction, const RegionOptions& options, const Progress& progress) const {
-  constexpr bool of_pairs = false;
-  map.lay(input, output, measures(), of_pairs, options);
-  map.give_each_cell_a_driver();
-  const CellAt cell_at = cells(respect_direction);
-  for (std::size_t row = 0; row < input.size(); ++row) {
-    map.leave_empty(row, row + 1);
-    for (std::size_t column = 0; column < output.size() && !progress.is_cancelled(); ++column) {
-      const MapPoint place{input[row], output[column]};
-      const auto cell = cell_at(place, [](const Cell&) { return true; });
-      if (!cell) continue;
-      const RegionMap::Cells to = map.cells(row, column);
-      *to.type = static_cast<std::uint8_t>(cell->type);
-      *to.defects = cell->defects.bits;
-      for (std::size_t k = 0; k < measures().size(); ++k) *to.measures[k] = static_cast<float>(cell->values[k]);
-      const FourBar& bars = traced_at(place)->linkage.bars;
-      const DriverSequence order =
-          driver_sequence(bars.input_fixed, bars.input_moving, user_poses(place, bars), respect_direction);
-      map.set_driver(row, column, {order.senses(), static_cast<float>(order.sweep_ccw)});
-    }
-  }
+  fill_one_by_one(*this, map, input, output, respect_direction, options, progress);
 }
 
 std::optional<FittedPath> FittedPathFamily::fitted_at(MapPoint place) const {
@@ -220,19 +186,15 @@ namespace {
 
 CurveFitOptions fit_options(const NearestTarget& near, const Requirements& requirements, const FitWishes& wishes,
                             const RegionOptions& options) {
-  constexpr double inside = 2e-6;  // twice the slack of a fit: what keeps a limit by it keeps it by the figures told
   CurveFitOptions fit;
   const double diagonal = near.target.diagonal();
   fit.effort = wishes.effort;
   fit.measure = wishes.measure;
-  fit.max_length = (1 - inside) * *requirements.max_length / diagonal;
-  fit.min_length = (1 + inside) * *requirements.min_length / diagonal;
-  fit.max_link_ratio = (1 - inside) * requirements.max_link_ratio;
+  fit.max_length = (1 - fit_inside) * *requirements.max_length / diagonal;
+  fit.min_length = (1 + fit_inside) * *requirements.min_length / diagonal;
+  fit.max_link_ratio = (1 - fit_inside) * requirements.max_link_ratio;
   fit.grashof_margin = wishes.grashof_margin;
-  // None is asked for: the fit yet keeps off dead points, where it would end with round-off deciding what it does.
-  constexpr double off_dead_points = 1e-3;
-  const double least_sine = std::max(std::sin(requirements.min_transmission_angle) + inside, off_dead_points);
-  fit.min_transmission_angle = std::asin(std::min(least_sine, 1.0));
+  fit.min_transmission_angle = fitted_transmission_angle(requirements);
   if (requirements.ground_pivots_within) fit.windows.ground = *requirements.ground_pivots_within;
   if (requirements.moving_pivots_within) fit.windows.moving = *requirements.moving_pivots_within;
   fit.threads = options.threads;

@@ -9,11 +9,18 @@
 #include "linkwright/core/count_text.hpp"
 #include "linkwright/core/tolerance.hpp"
 #include "planar/line_check.hpp"
+#include "planar/near_check.hpp"
 
 namespace linkwright {
 namespace {
 
 std::string place_of_pose(std::size_t pose) { return fmt::format("task.poses[{}]", pose); }
+
+// Where an exact pose stands among all poses of the task.
+std::size_t listed_at(const MotionTask& task, std::size_t exact) {
+  const auto comes_before = [&](const NearPose& near) { return near.after <= exact; };
+  return exact + static_cast<std::size_t>(std::count_if(task.near.begin(), task.near.end(), comes_before));
+}
 
 bool is_zero(const PoseDerivative& d) {
   return std::max({std::abs(d.origin.real()), std::abs(d.origin.imag()), std::abs(d.angle)}) <
@@ -43,8 +50,9 @@ void check_pose(const Pose& pose, const std::string& place, std::vector<Error>& 
 void check_numbers(const MotionTask& task, std::vector<Error>& found) {
   check_points(task.points, found);
   for (std::size_t i = 0; i < task.poses.size(); ++i) {
-    if (task.points.empty()) check_pose(task.poses[i].pose, place_of_pose(i), found);
-    check_derivatives(task.poses[i].derivatives, place_of_pose(i) + ".derivatives", found);
+    const std::string place = place_of_pose(listed_at(task, i));
+    if (task.points.empty()) check_pose(task.poses[i].pose, place, found);
+    check_derivatives(task.poses[i].derivatives, place + ".derivatives", found);
   }
 }
 
@@ -63,7 +71,8 @@ std::string count_words(const MotionTask& task, int count) {
 }
 
 void check_count(const MotionTask& task, std::vector<Error>& found) {
-  constexpr int fewest = 3, most = 5;
+  constexpr int most = 5;
+  const int fewest = task.near.empty() ? 3 : 0;  // how few near ones there may be, is asked elsewhere
   const int count = position_count(task.poses), poses = static_cast<int>(task.poses.size());
   const bool plain = count == poses;
   const Values values = {{"count", count},
@@ -82,7 +91,8 @@ void check_count(const MotionTask& task, std::vector<Error>& found) {
          values});
   if (count > most)
     found.push_back({plain ? "too_many_poses" : "too_many_positions", "task.poses",
-                     fmt::format("{} and {} are the most that a four-bar can pass exactly; remove {}",
+                     fmt::format("{} and {} are the most that a four-bar can pass exactly; remove {}, or mark some "
+                                 "poses \"near\": true",
                                  count_words(task, count), most, count - most),
                      values});
 }
@@ -94,7 +104,7 @@ bool has_derivatives(const MotionTask& task) {
 
 void check_given(const MotionTask& task, std::vector<Error>& found) {
   const bool three = position_count(task.poses) == 3;
-  if (three && !task.given)
+  if (three && !task.given && task.near.empty())
     found.push_back(
         {"missing_given", "task.given",
          "three positions leave four numbers free; give the grounded links' lengths {\"side_lengths\": [input, "
@@ -156,12 +166,13 @@ void check_repetitions(const MotionTask& task, std::vector<Error>& found) {
   for (std::size_t j = 1; j < task.poses.size(); ++j)
     for (std::size_t i = 0; i < j; ++i)
       if (same_pose(task.poses[i].pose, task.poses[j].pose, extent)) {
+        const std::size_t first = listed_at(task, i), second = listed_at(task, j);
         found.push_back({"repeated_pose",
-                         place_of_pose(j),
+                         place_of_pose(second),
                          fmt::format("poses[{}] and poses[{}] are the same; move one of them, or give a direction of "
                                      "travel at one pose instead of repeating it",
-                                     i, j),
-                         {{"i", i}, {"j", j}}});
+                                     first, second),
+                         {{"i", first}, {"j", second}}});
         break;
       }
 }
@@ -180,6 +191,26 @@ void check_freed(const MotionTask& task, std::vector<Error>& found) {
 
 }  // namespace
 
+bool MotionTask::is_fitted() const { return !near.empty() && position_count(poses) < (given ? 3 : 4); }
+
+std::vector<TaskPlace> places_of(const MotionTask& task) {
+  std::vector<TaskPlace> places;
+  std::size_t next = 0;
+  for (std::size_t exact = 0; exact <= task.poses.size(); ++exact) {
+    while (next < task.near.size() && (task.near[next].after <= exact || exact == task.poses.size()))
+      places.push_back({true, next++});
+    if (exact < task.poses.size()) places.push_back({false, exact});
+  }
+  return places;
+}
+
+std::vector<PrescribedPose> all_poses(const MotionTask& task) {
+  std::vector<PrescribedPose> all;
+  for (const TaskPlace& place : places_of(task))
+    all.push_back(place.is_near ? PrescribedPose{task.near[place.index].pose, {}} : task.poses[place.index]);
+  return all;
+}
+
 std::vector<Error> mistakes_in(const MotionTask& task) {
   std::vector<Error> found;
   check_count(task, found);
@@ -187,6 +218,8 @@ std::vector<Error> mistakes_in(const MotionTask& task) {
   check_given(task, found);
   check_pivots_on(task, found);
   check_freed(task, found);
+  if (!task.near.empty() || task.turning_length)
+    for (Error& mistake : mistakes_in_near(task)) found.push_back(std::move(mistake));
   if (found.empty()) check_repetitions(task, found);
   return found;
 }

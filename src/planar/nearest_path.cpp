@@ -19,7 +19,7 @@ bool is_at(const PathPoint& one, const PathPoint& other, double extent) {
   return std::abs(one.point - other.point) <= std::max(tolerance::repeated_pose * extent, least);
 }
 
-void check_numbers(const PathTask& task, std::vector<Error>& found) {
+void check_near_numbers(const PathTask& task, std::vector<Error>& found) {
   for (std::size_t i = 0; i < task.points.size(); ++i) {
     const PathPoint& point = task.points[i];
     check_number(point.point.real(), "x", place_of_path_point(i) + ".x", found);
@@ -48,7 +48,7 @@ void check_nothing_else(const PathTask& task, std::vector<Error>& found) {
   }
 }
 
-void check_count(const PathTask& task, std::vector<Error>& found) {
+void check_near_count(const PathTask& task, std::vector<Error>& found) {
   constexpr std::size_t fewest = 3;
   const double extent = extent_of(task);
   std::vector<PathPoint> different;
@@ -123,7 +123,7 @@ std::optional<double> PathTask::tolerance_at(std::size_t point) const {
 
 std::vector<Error> mistakes_in_nearest(const PathTask& task) {
   using Check = void (*)(const PathTask&, std::vector<Error>&);
-  constexpr std::array<Check, 4> checks = {check_numbers, check_nothing_else, check_count, check_tolerances};
+  constexpr std::array<Check, 4> checks = {check_near_numbers, check_nothing_else, check_near_count, check_tolerances};
   std::vector<Error> found;
   for (const auto check : checks)
     if (found.empty()) check(task, found);

@@ -186,13 +186,27 @@ double PoseConditions::condition() const {
   return singular_values.empty() ? 1 : singular_values.front() / singular_values.back();
 }
 
+namespace {
+
+bool only_translate(const Lengths& typical) { return typical.q < tolerance::pure_translation; }
+
+double scale_of(const Lengths& typical) {
+  const double scale = only_translate(typical) ? typical.a : typical.a / typical.q;
+  return scale > 0 ? scale : 1;
+}
+
+}  // namespace
+
+double characteristic_length(const std::vector<PrescribedPose>& poses) {
+  return scale_of(typical_lengths(displacements(poses)));
+}
+
 PoseConditions pose_conditions(const std::vector<PrescribedPose>& poses) {
   require(position_count(poses) >= 2, "conditions are those of two positions or more");
   PoseConditions conditions;
   const Lengths typical = typical_lengths(displacements(poses));
-  conditions.only_translations = typical.q < tolerance::pure_translation;
-  const double scale = conditions.only_translations ? typical.a : typical.a / typical.q;
-  conditions.frame = {poses.front().pose.origin, scale > 0 ? scale : 1};
+  conditions.only_translations = only_translate(typical);
+  conditions.frame = {poses.front().pose.origin, scale_of(typical)};
 
   const std::vector<PlanarDisplacement> moves = displacements(conditions.frame.to_working(poses));
   const RowSpace space = space_of_rows(moves, first_order);

@@ -7,6 +7,7 @@
 
 #include "curve_on_lines_family.hpp"
 #include "instant_center.hpp"
+#include "linkwright/planar/near_poses.hpp"
 #include "linkwright/planar/relaxed_position.hpp"
 #include "task_curve.hpp"
 #include "three_pose_setup.hpp"
@@ -132,6 +133,14 @@ TaskFamily family_of_given(const MotionTask& task, const Given& beside_poses, co
   return given;
 }
 
+void add_near_poses(TaskFamily& given, const MotionTask& task) {
+  if (task.near.empty()) return;
+  given.near = std::make_shared<const NearPoses>(task);
+  if (!given.family) return;
+  given.near_error = near_error_measure(given.near, given.family);
+  if (const auto* of_motion = dynamic_cast<const MotionFamily*>(given.family.get())) of_motion->has_near_poses();
+}
+
 void warn_of_points(TaskFamily& given, const MotionTask& task) {
   if (auto notice = points_notice(task.points)) given.warnings.push_back(*std::move(notice));
 }
@@ -166,6 +175,7 @@ TaskFamily task_family(const MotionTask& task, const Requirements& requirements,
                                      [](const PrescribedPose& pose) { return !pose.derivatives.empty(); });
   given.size = given.frame().scale;
   warn_of_points(given, task);
+  add_near_poses(given, task);
   return given;
 }
 

@@ -189,6 +189,21 @@ constexpr std::array<Criterion, requirement_kind_count> all_criteria = {{
      .range = {.with_low = false},
      .range_code = "max_path_error_range",
      .range_sentence = "the distance from the points must be above 0; null lets any pass"},
+    {.kind = RequirementKind::max_near_error,
+     .key = "max_near_error",
+     .about =
+         "Motions past near poses: root mean square of the errors there, user's unit; an error of angle counts by the "
+         "turning length.",
+     .rule = Rule::at_most,
+     .unit = Unit::length,
+     .asked = &Requirements::max_near_error,
+     .name = "error at the near poses",
+     .as_advice = "An error at the near poses",
+     .of = &measures::near_error,
+     .any = unlimited,
+     .range = {.with_low = false},
+     .range_code = "max_near_error_range",
+     .range_sentence = "the error at the near poses must be above 0; null lets any pass"},
     {.kind = RequirementKind::max_tolerance_error,
      .key = "max_tolerance_error",
      .about = "Largest error by tolerances, in their unit: the user's length; of functions and spherical linkages "

@@ -31,6 +31,7 @@ constexpr std::array<ObjectiveRow, static_cast<std::size_t>(Objective::end)> obj
     {Objective::pin_force, "pin_force", "smallest largest force of a pin", &measures::max_pin_force},
     {Objective::torque, "torque", "smallest largest driving torque", &measures::max_torque},
     {Objective::path_error, "path_error", "smallest distance from the points", &measures::path_error},
+    {Objective::near_error, "near_error", "smallest error at the near poses", &measures::near_error},
 }};
 
 /// Objectives by themselves, which others walk.

@@ -73,8 +73,8 @@ class CellCounter {
     RegionOptions one_thread;
     one_thread.threads = 1;
     family->classify(map_, samples(Side::input), samples(Side::output), wanted.respect_direction, one_thread);
-    const AddedMeasures added =
-        added_measures(*family, with_task_defaults(known.options, known.characteristic_length), no_sampled);
+    const AddedMeasures added = added_measures(*family, with_task_defaults(known.options, known.characteristic_length),
+                                               known.of_task, no_sampled);
     if (added.are_required(wanted)) added.add_to(map_, *family, wanted, no_sampled);
     const RequirementFilter filter = filter_of(*family, map_, wanted);
     std::uint32_t passing = 0;

@@ -80,7 +80,7 @@ void Session::set_options(bool task_is_new) {
   if (!task_is_new && analyze_alike(options, analyzed_)) return;
   analyzed_ = options;
   const AddedMeasures before = std::move(added_);
-  added_ = family() ? added_measures(*family(), options) : AddedMeasures{};
+  added_ = family() ? added_measures(*family(), options, findings(known_).of_task) : AddedMeasures{};
   if (std::any_of(before.all.begin(), before.all.end(),
                   [&](const AddedMeasure& added) { return !added_.find(added.measure->measure()); }))
     mapped_.reset();  // its map has columns that nothing asks for any more

@@ -91,8 +91,15 @@ std::vector<Error> mistakes_in(const Task& task, const Requirements& requirement
     return {
         {"line_options", "options", "\"deviation\", \"stroke\" and \"measure\" belong to straight lines; remove them"}};
   const auto* path = std::get_if<PathTask>(&task);
-  if (options.fit != FitWishes{} && (path == nullptr || !path->is_approximate()))
-    return {{"fit_options", "options.fit", "\"fit\" belongs to paths that pass near points; remove it"}};
+  const auto* motion = std::get_if<MotionTask>(&task);
+  const bool fits_poses = motion != nullptr && motion->is_fitted();
+  if (options.fit != FitWishes{} && !fits_poses && (path == nullptr || !path->is_approximate()))
+    return {{"fit_options", "options.fit",
+             "\"fit\" belongs to paths that pass near points, and to near poses with fewer than four exact positions; "
+             "remove it"}};
+  if (fits_poses && (options.fit.map != FitMap::curves || options.fit.grashof_margin != FitWishes{}.grashof_margin))
+    return {{"fit_of_paths", "options.fit",
+             "\"map\" and \"grashof_margin\" belong to paths that pass near points; remove them"}};
   if (options.at && is_search(task))
     return {{"place_of_search", "options.at",
              output_kind(task) == OutputKind::line

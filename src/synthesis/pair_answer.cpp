@@ -16,6 +16,7 @@
 #include "linkwright/spherical/spherical_task_family.hpp"
 #include "picked_place.hpp"
 #include "planar/chosen_length.hpp"
+#include "planar/fitted_motion_family.hpp"
 #include "planar/fitted_path_family.hpp"
 #include "planar/function_family.hpp"
 #include "planar/path_drive.hpp"
@@ -296,6 +297,13 @@ Progress part_of(const Progress& progress, double from, double to) {
   return {[&progress, from, to](double done) { progress(from + (to - from) * done); }, progress.cancelled};
 }
 
+// Of a linkage that was fitted, as it was; of others, as driving shows.
+std::optional<NearMiss> miss_at(const TaskFamily& given, MapPoint place, const FourBar& bars) {
+  if (const auto* fitted = dynamic_cast<const FittedMotionFamily*>(given.family.get()))
+    return given.near->miss_of(*fitted->fit_at(place));
+  return given.near->miss_of(bars, given.family->user_poses(place, bars).front().pose);
+}
+
 // A closed path is run all along.
 void go_all_round(DefectReport& report) {
   if (!report.defects.none()) return;
@@ -307,6 +315,14 @@ void go_all_round(DefectReport& report) {
 
 std::optional<FourBarSolution> linkage_at(const FourBarAnswer& answer, MapPoint place, bool verify) {
   return make_four_bar(answer.given, place, answer.requirements.respect_direction, verify);
+}
+std::optional<FourBarSolution> linkage_at(const MotionAnswer& answer, MapPoint place, bool verify) {
+  auto found = linkage_at(static_cast<const FourBarAnswer&>(answer), place, verify);
+  if (!found || !answer.given.near) return found;
+  found->near = miss_at(answer.given, answer.point_of(*found), found->four_bar);
+  const bool in_order = found->near && found->near->in_order;
+  if (found->report.defects.none()) found->verified_by_driving = found->verified_by_driving && in_order;
+  return found;
 }
 std::optional<FourBarSolution> linkage_at(const PathAnswer& answer, MapPoint place, bool verify) {
   auto found = linkage_at(static_cast<const FourBarAnswer&>(answer), place, verify);
@@ -334,8 +350,13 @@ void measure_function(SphericalSolution& found, const SphericalFunctionFamily& f
 
 MotionAnswer begin_answer(const MotionTask& task, const Requirements& requirements, const SynthesisOptions& options,
                           const Progress& progress) {
-  return begin_pairs<MotionAnswer>(task, task_family(task, requirements, options.objective, {{}, progress.cancelled}),
-                                   requirements, options);
+  const Progress silent{{}, progress.cancelled};
+  TaskFamily given = task.is_fitted() ? family_of_near(task, requirements, options.fit, options.region, silent)
+                                      : task_family(task, requirements, options.objective, silent);
+  const auto near_error = given.near_error;
+  auto answer = begin_pairs<MotionAnswer>(task, std::move(given), requirements, options);
+  answer.of_task = near_error;
+  return answer;
 }
 FunctionAnswer begin_answer(const FunctionTask& task, const Requirements& requirements, const SynthesisOptions& options,
                             const Progress& /*progress*/) {

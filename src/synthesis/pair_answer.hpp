@@ -30,6 +30,8 @@ template <class... Parts>
 /// The linkage at a place of the map, with `verify` driven through; nothing where there is none.
 [[nodiscard]] std::optional<FourBarSolution> linkage_at(const FourBarAnswer& answer, MapPoint place,
                                                         bool verify = true);
+/// The same with its errors at near poses, which it has to meet in their order, too.
+[[nodiscard]] std::optional<FourBarSolution> linkage_at(const MotionAnswer& answer, MapPoint place, bool verify = true);
 /// The same with its path; with `verify` its crank turned through the points, too.
 [[nodiscard]] std::optional<FourBarSolution> linkage_at(const PathAnswer& answer, MapPoint place, bool verify = true);
 [[nodiscard]] std::optional<SphericalSolution> linkage_at(const SphericalAnswer& answer, MapPoint place,

@@ -61,7 +61,7 @@ CountedRegion count_region(Findings& found, const LinkageFamily& family, const M
   const auto samples = [&](Side side) {
     return samples_within(family, side, extent.window, extent.samples, found.options.spacing);
   };
-  found.added = added_measures(family, found.options);
+  found.added = added_measures(family, found.options, found.of_task);
   const MapMaking making{[&](RegionMap& map, std::span<const double> input, std::span<const double> output) {
                            family.classify(map, input, output, found.requirements.respect_direction,
                                            found.options.region, progress);

@@ -28,9 +28,10 @@ PATTERNS = {"tailgate": "P-P-P-P", "tailgate_struts": "P-P-P-P", "counterbalance
             "dough_mixer": "P-P-P-P-P", "windscreen_wiper": "P-P-P", "thread_take_up": "PP-P-P",
             "walking_leg_path": "P-P-P-P-P", "packaging_feeder": "P-P-P-P-P", "garage_door_point": "P-P-P-P-P",
             "bean_stirrer": "16 points", "walking_foot": "19 points", "film_advance": "15 points", "letter_loop": "22 points",
-            "transfer_arch": "15 points"}
-NEAR = {name for name, pattern in PATTERNS.items() if pattern.endswith("points")}  # searched for: not all that there are
-TOLD_OF_NEAR = {"path_fitted", "nearer_with_defects", "path_tolerance_missed", "path_strays", "more_than_best"}
+            "transfer_arch": "15 points", "hatch_by_hand": "P-P-P-P", "hatch_all_near": "8 poses", "digitised_knee": "15 poses"}
+NEAR = {name for name, pattern in PATTERNS.items() if pattern.endswith(("points", "poses"))}  # searched for: not all that there are
+TOLD_OF_NEAR = {"path_fitted", "nearer_with_defects", "path_tolerance_missed", "path_strays", "more_than_best", "poses_fitted",
+                "nearer_poses_with_defects", "pose_tolerance_missed"}
 
 # What the function generators are to generate.
 WANTED = {"sine_generator": lambda x: math.sin(math.radians(x)), "log_generator": math.log10, "flow_meter": math.sqrt,

@@ -18,7 +18,7 @@ from .region import Region
 from .errors import Cancelled, Mistake, ProblemError
 from .records import Record
 from .sessions import LiveMap, Session
-from .solving import Cancellation, fit_path, read_problem, solve
+from .solving import Cancellation, fit_path, fit_poses, read_problem, solve
 from .sweeps import Sweep, SweepPlan, load_sweep, sweep
 from .tasks import (
     FunctionTask,
@@ -61,6 +61,7 @@ __all__ = [
     "__version__",
     "attitude",
     "fit_path",
+    "fit_poses",
     "instant",
     "linkage_types",
     "load_sweep",

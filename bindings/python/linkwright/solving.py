@@ -8,7 +8,7 @@ from typing import Any, Callable, Mapping, Sequence, Union
 
 from . import _linkwright
 from .answers import Answer
-from .tasks import PathPoint, PathTask, Problem, ProblemLike, native
+from .tasks import MotionTask, PathPoint, PathTask, Pose, Problem, ProblemLike, native
 
 Cancellation = _linkwright.Cancellation
 Report = Callable[[float], Any]
@@ -99,6 +99,64 @@ def fit_path(
     path = [PathPoint(x, y, weight=weight) for (x, y), weight in zip(places, given)]
     task = PathTask(path, closed=closed, tolerance=tolerance, between=between)
     options = {"fit": {"effort": effort, "measure": measure}, "best": best}
+    problem = Problem(task, requirements=requirements, options=options, length_unit=length_unit)
+    return solve(problem, progress=progress, cancellation=cancellation)
+
+
+def fit_poses(
+    poses: Any,
+    *,
+    exact: Sequence[int] = (),
+    weights: Any = None,
+    tolerance: Mapping[str, float] | None = None,
+    turning_length: float | None = None,
+    requirements: Mapping[str, Any] | None = None,
+    effort: str = "standard",
+    measure: str = "least_squares",
+    best: int = 10,
+    length_unit: str = "",
+    progress: Union[bool, Report, None] = None,
+    cancellation: Cancellation | None = None,
+) -> Answer:
+    """The four-bars that carry a body past many poses as near as they can.
+
+        >>> import linkwright as lw
+        >>> gate = [(0, 0, 0), (-60, 25, -11), (-125, 75, -25), (-178, 145, -39), (-220, 220, -52), (-240, 300, -63),
+        ...         (-240, 380, -73), (-220, 450, -82)]
+        >>> found = lw.fit_poses(gate, turning_length=177.38).linkages[0]
+        >>> found["near"]["error"]["rms"] < 1.06
+        True
+
+    Args:
+        poses: n × 3, x, y and theta in degrees, in the order in which they are passed, 3 to 1000; user's unit.
+        exact: which of them, from 0, are passed exactly; with four or five the answer is that of their solution region,
+            ranked by the error at the others.
+        weights: one to each pose, of the squared errors.
+        tolerance, turning_length: as :class:`Pose` and :class:`MotionTask` have them.
+        requirements: as in problem files.
+        effort: ``"quick"``, ``"standard"`` or ``"deep"``: how many starts are tried; not with four or five exact poses.
+        measure: ``"least_squares"``, or ``"least_largest"``: the largest error is least; likewise.
+        best: how many linkages are listed.
+        length_unit, progress, cancellation: as :func:`solve` and :class:`Problem` have them.
+
+    Returns:
+        The answer, as :func:`solve` gives it. Fitted linkages are evidence, not proof: others may come nearer.
+
+    Raises:
+        ProblemError: fewer than three different poses, more than five exact ones, numbers that are not finite, ….
+    """
+    rows = [(float(x), float(y), float(theta)) for x, y, theta in poses]
+    given: Sequence[float | None] = [None] * len(rows) if weights is None else [float(weight) for weight in weights]
+    if len(given) != len(rows):
+        raise ValueError(f"{len(given)} weights are given for {len(rows)} poses")
+    passed = [
+        Pose(*row) if j in exact else Pose(*row, near=True, tolerance=tolerance, weight=weight)
+        for j, (row, weight) in enumerate(zip(rows, given))
+    ]
+    task = MotionTask(passed, turning_length=turning_length)
+    options: dict[str, Any] = {"best": best}
+    if len(exact) < 4:
+        options["fit"] = {"effort": effort, "measure": measure}
     problem = Problem(task, requirements=requirements, options=options, length_unit=length_unit)
     return solve(problem, progress=progress, cancellation=cancellation)
 

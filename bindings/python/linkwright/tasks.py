@@ -30,15 +30,24 @@ class Pose:
         theta_deg: its angle, degrees, modulo 360.
         derivatives: the first, second, … derivatives of x, y and theta by a parameter that rises along the task, as
             dicts with ``x``, ``y``, ``theta`` (radians by the parameter). Each counts as a further position.
+        near: passed as near as a linkage can, in its turn, instead of exactly.
+        tolerance: near poses: how far off the body may be, ``{"position": 2, "angle_deg": 0.5}`` or one of the two.
+        weight: near poses: of the squared error, ≥ 0; None: 1.
     """
 
     x: float
     y: float
     theta_deg: float
     derivatives: Sequence[Mapping[str, Number]] = ()
+    near: bool = False
+    tolerance: Mapping[str, Number] | None = None
+    weight: Number | None = None
 
     def to_dict(self) -> dict[str, Any]:
-        return _without_empty({"x": self.x, "y": self.y, "theta_deg": self.theta_deg, "derivatives": self.derivatives})
+        place = {"x": self.x, "y": self.y, "theta_deg": self.theta_deg, "derivatives": self.derivatives}
+        return _without_empty(
+            {**place, "near": self.near or None, "tolerance": self.tolerance, "weight": self.weight}
+        )
 
 
 @dataclass(frozen=True)
@@ -52,16 +61,19 @@ class MotionTask:
             ``{"ground_pivots": {"input": [0, 0], "output": [60, 0]}}``.
         pivot_on: for four positions lines with a pivot of a link, e.g. ``[{"which": "input", "pivot": "ground", "line":
             {"point": [0, 340], "direction_deg": 0}}]``.
+        turning_length: of near poses, beside which up to five positions are exact: an error of angle by 1 radian counts
+            as one of position by this, user's unit; None: the characteristic length of all poses.
     """
 
     poses: Sequence[Pose | Sequence[Number] | Mapping[str, Any]]
     given: Mapping[str, Any] | None = None
     pivot_on: Sequence[Mapping[str, Any]] = ()
+    turning_length: Number | None = None
 
     def to_dict(self) -> dict[str, Any]:
         poses = [pose if isinstance(pose, (Pose, Mapping)) else Pose(pose[0], pose[1], pose[2]) for pose in self.poses]
         members = {"kind": "motion", "mechanism": "four_bar", "poses": poses, "given": self.given}
-        return _without_empty({**members, "pivot_on": self.pivot_on})
+        return _without_empty({**members, "pivot_on": self.pivot_on, "turning_length": self.turning_length})
 
 
 @dataclass(frozen=True)

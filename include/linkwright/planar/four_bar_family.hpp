@@ -96,6 +96,10 @@ class MotionFamily : public FourBarFamily {
   /// `poses`: the task's, user's frame.
   MotionFamily(WorkingFrame frame, std::vector<PrescribedPose> poses, MapAxis input, MapAxis output);
 
+  [[nodiscard]] const LinkageClass& linkages() const override { return *linkages_; }
+  /// There are near poses beside the exact ones: said once, by whoever sets the family up, before anything asks it.
+  void has_near_poses() const { linkages_ = &near_motion_linkages; }
+
   [[nodiscard]] std::vector<PrescribedPose> user_poses(MapPoint /*place*/, const FourBar& /*bars*/) const override {
     return user_poses_;
   }
@@ -108,6 +112,7 @@ class MotionFamily : public FourBarFamily {
 
  private:
   std::vector<PrescribedPose> user_poses_, working_poses_;
+  mutable const LinkageClass* linkages_ = &planar_linkages;
 };
 
 /// Each dyad depends on its own coordinate alone.

@@ -8,6 +8,7 @@
 #include "linkwright/mechanism/four_bar.hpp"
 #include "linkwright/planar/fitted_path.hpp"
 #include "linkwright/planar/four_bar_family.hpp"
+#include "linkwright/planar/near_poses.hpp"
 #include "linkwright/planar/task_family.hpp"
 #include "linkwright/planar/timed_path.hpp"
 
@@ -34,6 +35,7 @@ struct FourBarSolution {
   std::optional<FunctionError> function;  ///< of function tasks
   std::optional<TimedPath> path;          ///< of path tasks
   std::optional<FittedPath> fit;          ///< of paths that pass near points
+  std::optional<NearMiss> near;           ///< of motions past near poses
 };
 
 /// The four-bar at a place of a task's map, analysed, its residuals in user coordinates; with `verify`, driven through

@@ -42,7 +42,6 @@ struct NearPose {
 /// travel, then its curvature, …) counts as m + 1 positions; there are three, four or five of them, in any pattern from
 /// P-P-P to PPPPP.
 struct MotionTask {
-  static constexpr const LinkageClass& linkages = planar_linkages;
   static constexpr OutputKind output = OutputKind::pose;
 
   std::vector<PrescribedPose> poses;
@@ -58,8 +57,26 @@ struct MotionTask {
   /// length of all poses.
   std::optional<double> turning_length;
 
+  static constexpr std::size_t most_near = 1000;
+
+  [[nodiscard]] const LinkageClass& linkage_class() const {
+    return near.empty() ? planar_linkages : near_motion_linkages;
+  }
+  /// Too few positions are exact for a map of all linkages that pass them: linkages are searched for.
+  [[nodiscard]] bool is_fitted() const;
+
   friend bool operator==(const MotionTask&, const MotionTask&) = default;
 };
+
+/// Of poses in the order of a task's file: which are the exact ones, and which near.
+struct TaskPlace {
+  bool is_near = false;
+  std::size_t index = 0;  ///< among the exact, or the near ones
+};
+/// One to each pose, exact or near, in their order.
+[[nodiscard]] std::vector<TaskPlace> places_of(const MotionTask& task);
+/// All, likewise.
+[[nodiscard]] std::vector<PrescribedPose> all_poses(const MotionTask& task);
 
 /// The caller's mistakes: number of positions, numbers that are not finite or too large, first derivatives that are
 /// zero, repeated poses, what three positions want given and more do not. Places are `task.poses[i]…` (i from 0),

@@ -62,6 +62,9 @@ struct PoseConditions {
   [[nodiscard]] double condition() const;
 };
 
+/// WorkingFrame::scale of poses, user's unit; 1 where they are all the same. At least two.
+[[nodiscard]] double characteristic_length(const std::vector<PrescribedPose>& poses);
+
 /// Conditions of any pattern of positions (docs/theory/planar.md, section 2). At least two positions.
 [[nodiscard]] PoseConditions pose_conditions(const std::vector<PrescribedPose>& poses);
 

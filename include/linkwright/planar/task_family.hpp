@@ -19,6 +19,8 @@
 namespace linkwright {
 
 class FunctionFamily;
+class NearPoses;
+class CellMeasure;
 class PathFamily;
 
 /// What is known of a task before any two dyads are paired: its conditions, and the family of four-bars that meet them.
@@ -38,6 +40,8 @@ struct TaskFamily {
   std::shared_ptr<const FourBarFamily> family;  ///< none where degenerate
   std::shared_ptr<const FunctionFamily> functions;  ///< of a function task: the family as what it is
   std::shared_ptr<const PathFamily> paths;          ///< of a path task: the same
+  std::shared_ptr<const NearPoses> near;            ///< of a motion past near poses
+  std::shared_ptr<const CellMeasure> near_error;    ///< likewise: of the family
 
   bool chose_length = false;  ///< of a grounded link, by maps of all lengths (chosen_length)
   /// The reference for long and short links, user's unit: the characteristic length, for functions the ground link.

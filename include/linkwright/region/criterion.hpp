@@ -31,6 +31,7 @@ enum class RequirementKind : std::uint8_t {
   max_deviation,
   full_turn,
   max_path_error,
+  max_near_error,
   max_tolerance_error,
   min_yield,
   max_open_force,

@@ -62,6 +62,8 @@ inline constexpr auto unloaded_requirements = with_analyses(
                RequirementKind::max_link_ratio, RequirementKind::max_length, RequirementKind::min_length,
                RequirementKind::ground_pivots_within, RequirementKind::moving_pivots_within});
 inline constexpr auto planar_requirements = joined(unloaded_requirements, load_requirements);
+inline constexpr auto near_motion_requirements =
+    joined(planar_requirements, std::array{RequirementKind::max_near_error});
 inline constexpr auto path_requirements = joined(
     with_analyses(std::array{
         RequirementKind::types, RequirementKind::no_defects, RequirementKind::min_transmission_angle,
@@ -87,14 +89,19 @@ inline constexpr auto near_path_objectives = joined(std::array{Objective::path_e
 inline constexpr auto unloaded_objectives = with_analyses(
     std::array{Objective::min_transmission_angle, Objective::link_ratio, Objective::size, Objective::structural_error});
 inline constexpr auto planar_objectives = joined(unloaded_objectives, load_objectives);
+inline constexpr auto near_motion_objectives = joined(std::array{Objective::near_error}, planar_objectives);
 inline constexpr auto spherical_objectives =
     with_analyses(std::array{Objective::min_transmission_angle, Objective::link_angle, Objective::structural_error});
 }  // namespace class_members
 
 inline constexpr LinkageClass planar_linkages = {class_members::planar_types, class_members::planar_requirements,
                                                  class_members::planar_objectives};
-/// Of them those that carry no loads: generators of functions, and six-bars. What is asked of them are the first of
-/// what is asked of planar linkages, in the same order, so that what a cell fails has the same bits.
+/// Of them those of motions past near poses, ranked by the smallest error there where nothing else is asked for. What
+/// is asked of planar linkages comes first, so that what a cell fails has the same bits.
+inline constexpr LinkageClass near_motion_linkages = {
+    class_members::planar_types, class_members::near_motion_requirements, class_members::near_motion_objectives};
+/// Of planar linkages those that carry no loads: generators of functions, and six-bars. What is asked of them are the
+/// first of what is asked of planar linkages, in the same order, so that what a cell fails has the same bits.
 inline constexpr LinkageClass unloaded_linkages = {class_members::planar_types, class_members::unloaded_requirements,
                                                    class_members::unloaded_objectives};
 inline constexpr LinkageClass path_linkages = {class_members::planar_types, class_members::path_requirements,

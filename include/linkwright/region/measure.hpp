@@ -80,6 +80,9 @@ inline constexpr Measure layer{"layer"};
 /// Of paths that pass near points: root mean square of the distances of the points from the path, or the
 /// largest of them where that is to be least; user's unit.
 inline constexpr Measure path_error{"path_error"};
+/// Of motions past near poses: root mean square of the errors there, √(d² + (L Δθ)²) each, user's unit; infinite where
+/// near poses are out of order, or past a dead point, though the exact ones are not.
+inline constexpr Measure near_error{.key = "near_error", .is_added = true};
 /// Angle that the driver turns from the first to the last position; every map computes it, none keeps it.
 inline constexpr Measure driver_sweep{"driver_sweep_deg"};
 }  // namespace measures

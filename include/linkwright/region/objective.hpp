@@ -14,7 +14,8 @@ namespace linkwright {
 /// transmission angle; of spherical linkages the largest least link angle; of linkages with a straight line the longest
 /// usable length over the longest link, the least deviation, the most even velocity; of all that
 /// are made with tolerances the least error by them, the largest yield; of all that carry loads the least hand force,
-/// the best hold, the least force of a pin, the least torque; of paths that pass near points the smallest error.
+/// the best hold, the least force of a pin, the least torque; of paths that pass near points, and of motions past near
+/// poses, the smallest error.
 enum class Objective {
   min_transmission_angle,
   link_ratio,
@@ -31,6 +32,7 @@ enum class Objective {
   pin_force,
   torque,
   path_error,
+  near_error,
   end  ///< none: how many there are
 };
 /// All there are.

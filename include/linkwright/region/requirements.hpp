@@ -78,6 +78,8 @@ struct Requirements {
   bool full_turn = false;                   ///< the input is a crank: it turns fully
   /// Of a path near its points, as Measure path_error has it: user's unit.
   double max_path_error = unlimited;
+  /// Of a motion past near poses, as Measure near_error has it: user's unit.
+  double max_near_error = unlimited;
   /// By tolerances, as Measure tolerance_error has it: user's unit, of functions and spherical linkages degrees.
   double max_tolerance_error = unlimited;
   double min_yield = 0;  ///< share of linkages made with errors that are good, in [0, 1]; 0: any

@@ -60,7 +60,9 @@ struct Findings {
   std::int64_t left_out = 0;                        ///< of the best: driving does not confirm them; a warning says so
   std::vector<std::vector<RequirementKind>> fails;  ///< options.at: by linkages, the requirements that each fails
   std::vector<ParetoCell> pareto;                   ///< options.pareto: the whole front of the map
-  AddedMeasures added;                              ///< of options.tolerances and loads, of the map
+  AddedMeasures added;                              ///< of the task, options.tolerances and loads, of the map
+  /// What the task itself asks beside what its family measures: the error at near poses. Null: nothing.
+  std::shared_ptr<const CellMeasure> of_task;
   /// With tolerances, by linkages: what they do to each; nothing at a dead point.
   std::vector<std::optional<ToleranceReport>> tolerance;
   /// With loads, by linkages: the forces in each; nothing where a dead point keeps it from the task.

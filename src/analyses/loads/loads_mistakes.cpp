@@ -61,6 +61,7 @@ const std::vector<PrescribedPose>* poses_of_task(const Task& task) {
 /// A spring between ground and body has the same length in a position in all linkages.
 void check_length(const Loads& loads, std::size_t k, const std::vector<PrescribedPose>& poses,
                   std::vector<Error>& found) {
+  if (poses.empty()) return;
   const Spring& spring = loads.springs[k];
   const std::string place = fmt::format("loads.springs[{}]", k);
   const std::string name = spring_name(loads, k);

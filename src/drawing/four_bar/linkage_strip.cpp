@@ -116,6 +116,7 @@ std::string_view place_name(const FourBarFamily& family) {
     case AxisQuantity::pair_output:
       return "coupler τ and free output angle";
     case AxisQuantity::nothing:
+      if (family.axis(Side::input).quantity == AxisQuantity::fitted_curve) return "which of the nearest linkages";
       return family.axis(Side::input).is_discrete() ? "which of the linkages" : "coupler τ";
     case AxisQuantity::center_x:
       return "ground pivot, x and y";
@@ -157,7 +158,11 @@ void add_motion_checks(NumberRows& checks, const FourBarAnswer& answer) {
   else
     add_place(checks, answer);
   const std::string_view verified = found.verified_by_driving ? ", verified by simulation" : "";
-  if (found.fit)
+  if (found.near)
+    checks.row("error at the near poses, mean square",
+               fmt::format("{} and {}{}", significant_text(found.near->error.position_rms, 3),
+                           small_angle(found.near->error.angle_rms), verified));
+  else if (found.fit)
     checks.row("points from the path, mean square",
                fmt::format("{} %{}", significant_text(100 * found.fit->error.rms_over_diagonal, 2), verified));
   else

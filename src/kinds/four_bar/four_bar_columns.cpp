@@ -21,7 +21,16 @@ void add_four_bar(LinkageColumns& list) {
 
 }  // namespace
 
-void list_columns(LinkageColumns& list, const MotionTask& /*task*/) { add_four_bar(list); }
+void list_columns(LinkageColumns& list, const MotionTask& task) {
+  add_four_bar(list);
+  if (task.near.empty()) return;
+  list.length("near.error.rms", "Root mean square error at the near poses, turns counted by the turning length");
+  list.length("near.error.position_rms", "Root mean square distance from the near poses");
+  list.length("near.error.position_max", "Largest distance from a near pose");
+  list.angle("near.error.angle_rms_deg", "Root mean square turn from the near poses");
+  list.angle("near.error.angle_max_deg", "Largest turn from a near pose");
+  list.length("near.error.exact_residual", "Largest error at the exact poses");
+}
 
 void list_columns(LinkageColumns& list, const FunctionTask& /*task*/) {
   add_four_bar(list);

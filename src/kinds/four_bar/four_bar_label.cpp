@@ -101,6 +101,8 @@ Words dyad_words(const MotionTask& task, const MapAxis& axis, Side side, std::st
               std::string(length_unit)};
     case AxisQuantity::nothing:
       return {link + "nothing is free", "", "1"};
+    case AxisQuantity::fitted_curve:
+      return {"one of the nearest linkages", "Linkage, by its number", "1"};
     case AxisQuantity::center_on_line:
     case AxisQuantity::circle_on_line: {
       const std::string_view kind = axis.quantity == AxisQuantity::center_on_line ? "ground" : "moving";
@@ -132,8 +134,19 @@ AxisLabel label_of(MapAxis axis, Words words) {
 
 }  // namespace
 
+namespace {
+
+std::string near_words(const MotionTask& task) {
+  const std::size_t near = task.near.size();
+  return fmt::format("{} near pose{}", near, near == 1 ? "" : "s");
+}
+
+}  // namespace
+
 std::string label_of(const MotionTask& task) {
+  if (task.poses.empty()) return near_words(task);
   std::string text = fmt::format("{} ({})", positions_text(position_count(task.poses)), pattern(task.poses));
+  if (!task.near.empty()) text += " and " + near_words(task);
   if (task.relaxed) text += fmt::format(", position {} relaxed", *task.relaxed + 1);
   if (task.given) text += ", " + std::visit([](const auto& given) { return given_words(given); }, *task.given);
   for (const PivotOnLine& asked : task.pivots_on)
@@ -141,7 +154,11 @@ std::string label_of(const MotionTask& task) {
   return text;
 }
 
-std::string short_label_of(const MotionTask& task) { return positions_text(position_count(task.poses)); }
+std::string short_label_of(const MotionTask& task) {
+  if (task.poses.empty()) return near_words(task);
+  const std::string positions = positions_text(position_count(task.poses));
+  return task.near.empty() ? positions : positions + " and " + near_words(task);
+}
 
 AxisLabel axis_label(const MotionAnswer& answer, Side side, std::string_view length_unit) {
   const MapAxis axis = axis_of(answer, side);

@@ -4,6 +4,7 @@
 #include "files/function/function_error_fields.hpp"
 #include "files/linkage_fields.hpp"
 #include "files/problem_fields.hpp"
+#include "near_record.hpp"
 #include "path_record.hpp"
 
 namespace linkwright {
@@ -67,7 +68,8 @@ FourBarNotes notes_on(const FourBarSolution& found, const TaskFamily& given) {
   FourBarNotes notes;
   notes.defect = defect_notice(found, given);
   if (given.relaxed) notes.pose_error_size = given.relaxed->size;
-  if (found.function || found.path || given.relaxed) notes.poses = family.user_poses(place, found.four_bar);
+  if (found.function || found.path || given.relaxed || given.near)
+    notes.poses = family.user_poses(place, found.four_bar);
   notes.free_value = free_value(family, place);
   return notes;
 }
@@ -78,8 +80,9 @@ void poses_field(FieldVisitor& v, const std::vector<PrescribedPose>& poses) {
   const Field field(
       "poses",
       "Of the coupler, as in problem files, where they are not the task's: of functions (origin in the "
-      "input's moving pivot, angle 0 at the first pair), of paths (origin in the point, angle 0 in position 1), and "
-      "of five positions with one freed.");
+      "input's moving pivot, angle 0 at the first pair), of paths (origin in the point, angle 0 in position 1), of "
+      "five positions with one freed, and of motions past near poses: exact ones, or where the body is nearest to "
+      "some.");
   const List list = {.what = "", .least = 1, .most = 5, .on_lines = true};
   v.member(field.written(!poses.empty()), false, [&](FieldVisitor& at) {
     visit_each(at, list, poses, [](FieldVisitor& to, PrescribedPose pose) {
@@ -128,6 +131,7 @@ void fields(FieldVisitor& v, const FourBarRecord& of) {
     residual_fields(to, found);
     error_fields(to, found, of.notes.pose_error_size);
     path_fields(to, found);
+    near_field(to, found.near);
     to.shown("local_optimum", found.local_optimum);
     to.shown(Field("verified_by_driving",
                    "Driven through the task it has the defects told; of functions, free of defects, it also stood "

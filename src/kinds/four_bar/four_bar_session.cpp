@@ -47,10 +47,6 @@ std::vector<int> passed_positions(const TaskFamily& given, std::size_t count) {
 
 }  // namespace
 
-bool serves(const MotionAnswer& known, const Problem& /*before*/, const Problem& /*now*/) {
-  return !known.task.given;  // what is given may leave a length, which is chosen by the requirements
-}
-
 namespace {
 
 // What a fit keeps to.
@@ -63,6 +59,11 @@ bool is_fitted_alike(const Problem& a, const Problem& b) {
 }
 
 }  // namespace
+
+bool serves(const MotionAnswer& known, const Problem& before, const Problem& now) {
+  if (known.task.is_fitted()) return is_fitted_alike(before, now);
+  return !known.task.given;  // what is given may leave a length, which is chosen by the requirements
+}
 
 bool serves(const PathAnswer& known, const Problem& before, const Problem& now) {
   if (known.task.is_approximate()) return is_fitted_alike(before, now);

@@ -167,6 +167,13 @@ void freed_pose(FieldVisitor& v, std::optional<std::size_t>& relaxed) {
   if (freed) relaxed = static_cast<std::size_t>(std::max(*freed, 0)) - 1;
 }
 
+void turning_length(FieldVisitor& v, std::optional<double>& length) {
+  v.given(Field("turning_length",
+                "Near poses: an error of angle of 1 radian counts as one of position of this length; left out: the "
+                "characteristic length of all poses."),
+          length, forms::length);
+}
+
 void pivots_on(FieldVisitor& v, std::vector<PivotOnLine>& asked) {
   const List list = {.what = {"pivots_on", "a list of pivots on lines [{\"which\": …, \"pivot\": …, \"line\": …}]"},
                      .most = 2,
@@ -187,12 +194,15 @@ void fields(FieldVisitor& v, MotionTask& task) {
   const Object described = {
       "motion_task",
       "Motion generation: a body shall pass through three, four or five positions in this order. A "
-      "pose counts as one position, and as one more for each of its derivatives.",
+      "pose counts as one position, and as one more for each of its derivatives. Poses that are near come in their "
+      "order beside them: with four exact positions they are measured over the solution region, with fewer linkages "
+      "are fitted to all.",
       true};
   v.object(described, [&](FieldVisitor& to) {
     to.constant("kind", "motion");
     to.constant("mechanism", "four_bar");
-    pose_fields(to, task.poses, task.points);
+    motion_pose_fields(to, task);
+    turning_length(to, task.turning_length);
     freed_pose(to, task.relaxed);
     pivots_on(to, task.pivots_on);
     to.optional(Field("given", "Three positions: what is known beside them; otherwise left out."), task.given);

@@ -7,6 +7,10 @@ export interface Pose {
   y: number;
   theta_deg: number;
   derivatives?: {x: number; y: number; theta: number}[];
+  /** Passed as near as a linkage can, in its turn, instead of exactly: of a four-bar's motion. */
+  near?: boolean;
+  tolerance?: {position?: number; angle_deg?: number};
+  weight?: number;
 }
 export type Interval = readonly [low: number, high: number];
 /** What every task has; the rest is its kind's own (kinds/<kind>/task.ts), which reads and writes it. */

@@ -3,7 +3,7 @@ import type {Point} from "../../contract/messages";
 import {length_levels, outline_of, placed, with_requirements, type Problem} from "../../state/problem";
 import {is_number, is_object, is_pair, present, read_list, type JsonObject} from "../../state/shape";
 import {diagonal_of, pattern_of, poses_of, position_count, served_poses, type Pose} from "../../state/task";
-import {is_motion, type Given, type MotionTask} from "./task";
+import {exact_poses, has_near, is_fitted, is_motion, type Given, type MotionTask} from "./task";
 import {significant} from "../../texts/numbers";
 import type {Beginning, TaskKind} from "../kind";
 import {planar_objectives, planar_properties, planar_requirements, planar_types} from "../planar";
@@ -14,9 +14,17 @@ import {lines_of, moved_given, pivots_of, read_lines, read_pivot_on, read_pivots
 
 const most_poses = 10_000; // the engine takes five; what was typed is kept until it is set right
 
+/** How near, as a file says it. */
+function read_nearness({tolerance, weight}: JsonObject): Pick<Pose, "tolerance" | "weight"> {
+  const given = is_object(tolerance) ? tolerance : {},
+    number_or_null = (one: unknown) => (is_number(one) ? one : null),
+    known = present({position: number_or_null(given.position), angle_deg: number_or_null(given.angle_deg)});
+  return present({tolerance: Object.keys(known).length ? known : null, weight: number_or_null(weight)});
+}
 export function read_pose(value: unknown): Pose | null {
   if (!is_object(value) || !is_number(value.x) || !is_number(value.y) || !is_number(value.theta_deg)) return null;
   const {x, y, theta_deg, derivatives} = value;
+  if (value.near === true) return {x, y, theta_deg, near: true, ...read_nearness(value)};
   const known = Array.isArray(derivatives)
     ? derivatives.filter(
         (d): d is {x: number; y: number; theta: number} =>
@@ -49,14 +57,16 @@ function read(value: JsonObject): MotionTask | null {
   const poses = read_poses(value.poses);
   if (value.kind !== "motion" || value.mechanism !== "four_bar" || !poses) return null;
   const freed_pose = Number.isInteger(value.freed_pose) ? (value.freed_pose as number) : null;
-  const beside = {given: read_given(value.given), pivot_on: read_pivot_on(value.pivot_on), freed_pose};
+  const turning_length = is_number(value.turning_length) ? value.turning_length : null,
+    beside = {given: read_given(value.given), pivot_on: read_pivot_on(value.pivot_on), freed_pose, turning_length};
   return {kind: "motion", mechanism: "four_bar", poses, ...present(beside)};
 }
 
 /** What is given beside the poses belongs to three positions, a freed pose to five. */
 function with_poses(task: MotionTask, poses: readonly Pose[]): MotionTask {
   const changed = {...task, poses},
-    count = position_count(poses);
+    count = position_count(exact_poses(changed));
+  if (!has_near(changed)) delete changed.turning_length;
   if (count !== 3) delete changed.given;
   if (count !== 4) delete changed.pivot_on;
   if (count !== 5 || poses[(changed.freed_pose ?? 1) - 1]?.derivatives?.length) delete changed.freed_pose;
@@ -129,27 +139,54 @@ const five_poses: Pose[] = [
   {x: -40, y: 300, theta_deg: 85},
 ];
 
+/** Positions that the engine tells of a linkage that was fitted. */
+const most_stops = 5,
+  /** Of a length typical of the task, where the colours of an error end. */
+  usual_error = 0.2;
+
+function map_of_exact(task: MotionTask): string {
+  const {given, pivot_on, freed_pose} = task,
+    count = freed_pose === undefined ? position_count(exact_poses(task)) : "freed";
+  return `motion ${count} ${given ? map_of_given(given) : ""}${(pivot_on ?? []).map(({which}) => which).join()}`;
+}
+
 export const motion_kind: TaskKind<MotionTask> = {
   name: "task.kind_motion",
   is: is_motion,
   read,
   of_poses: (poses) => read({kind: "motion", mechanism: "four_bar", poses}),
   with_poses,
-  incompleteness({poses, given}) {
-    const n = position_count(poses);
+  incompleteness(task) {
+    const {given} = task,
+      n = position_count(exact_poses(task)),
+      all = task.poses.length;
+    if (n <= 5 && has_near(task)) return all < 3 ? {state: "too_few", text: "state.too_few", n: all} : null;
     if (n === 0) return {state: "empty", text: "state.empty_task", n};
     if (n < 3) return {state: "too_few", text: "state.too_few", n};
     if (n > 5) return {state: "too_many", text: "state.too_many", n};
     return n === 3 && !given ? {state: "no_given", text: "state.no_given", n} : null;
   },
-  stops: (task) => served_poses(task).length,
+  stops: (task) =>
+    is_fitted(task)
+      ? Math.min(task.poses.length, most_stops)
+      : served_poses({...task, poses: exact_poses(task)}).length,
   pattern: ({poses}) => pattern_of(poses),
   is_mixed: ({poses}) => poses.some((pose) => pose.derivatives?.length),
   anchors: ({poses}) => poses.map((pose): Point => [pose.x, pose.y]),
   default_max_length,
-  map_of: ({poses, given, pivot_on, freed_pose}) =>
-    `motion ${freed_pose === undefined ? position_count(poses) : "freed"} ${given ? map_of_given(given) : ""}${(pivot_on ?? []).map(({which}) => which).join()}`,
+  map_of: (task) => (is_fitted(task) ? "motion near" : map_of_exact(task)),
   properties: {
+    near_error: {
+      is_of: has_near,
+      text: "region.by_near_error",
+      short: "region.short_near_error",
+      term: null,
+      larger_is_better: false,
+      requirement: "max_near_error",
+      quantity: "length",
+      span: (_, typical) => [0, usual_error * typical],
+      levels: length_levels,
+    },
     ...planar_properties,
     pose_miss: {
       is_of: ({freed_pose}) => freed_pose !== undefined,
@@ -160,13 +197,29 @@ export const motion_kind: TaskKind<MotionTask> = {
       requirement: null,
       quantity: "length",
       of_meeting: true,
-      span: (_, typical) => [0, 0.2 * typical],
+      span: (_, typical) => [0, usual_error * typical],
       levels: length_levels,
     },
   },
   types: planar_types,
-  requirements: planar_requirements,
-  objectives: planar_objectives,
+  requirements: {
+    ...planar_requirements,
+    max_near_error: {
+      is_of: (task) => is_motion(task) && has_near(task),
+      name: "req.max_near_error",
+      short: "req.short.max_near_error",
+      control: "limit",
+      bound: "most",
+      term: null,
+      quantity: "length",
+      from: 0,
+    },
+  },
+  objectives: {
+    near_error: {name: "req.objective.near_error", measure: "near_error", is_of: has_near},
+    ...planar_objectives,
+  },
+  default_objective: (task) => (has_near(task) ? "near_error" : "min_transmission_angle"),
   analysed: {tolerances: body_making, loads: four_bar_loading},
   moved: (task, point) => ({
     ...task,

@@ -1,6 +1,6 @@
 // As the problem file has it.
 import type {Point, Side} from "../../contract/messages";
-import type {Pose, Task} from "../../state/task";
+import {position_count, type Pose, type Task} from "../../state/task";
 
 export type PivotKind = "ground" | "moving";
 export interface Line {
@@ -36,6 +36,18 @@ export interface MotionTask extends Task {
   given?: Given;
   pivot_on?: readonly PivotOnLine[];
   freed_pose?: number; // from 1: of five positions, the one that need not be passed exactly
+  turning_length?: number; // of near poses: by it a turn weighs as a length
+}
+
+export function has_near({poses}: MotionTask): boolean {
+  return poses.some(({near}) => near);
+}
+export function exact_poses({poses}: Pick<MotionTask, "poses">): readonly Pose[] {
+  return poses.filter(({near}) => !near);
+}
+/** Too few are exact for a map of all linkages that pass them: as the engine's MotionTask::is_fitted(). */
+export function is_fitted(task: MotionTask): boolean {
+  return has_near(task) && position_count(exact_poses(task)) < (task.given ? 3 : 4);
 }
 
 export function is_motion(task: Task): task is MotionTask {

@@ -1,0 +1,24 @@
+#pragma once
+
+#include <cstddef>
+#include <span>
+#include <string_view>
+#include <vector>
+
+#include "linkwright/planar/four_bar_family.hpp"
+
+namespace linkwright {
+
+/// An axis of things that were found one by one.
+[[nodiscard]] MapAxis axis_of_found(AxisQuantity quantity, std::string_view what, std::size_t count);
+
+/// Numbers of `count` among `all`, as far apart as they are in number: the first, and unless they lie on something
+/// closed the last, too.
+[[nodiscard]] std::vector<std::size_t> spread_numbers(std::size_t count, std::size_t all, bool closed);
+
+/// As LinkageFamily::classify(), of a few linkages that are each judged by themselves.
+void fill_one_by_one(const FourBarFamily& family, RegionMap& map, std::span<const double> input,
+                     std::span<const double> output, bool respect_direction, const RegionOptions& options,
+                     const Progress& progress);
+
+}  // namespace linkwright
