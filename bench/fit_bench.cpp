@@ -6,6 +6,7 @@
 #include <string>
 
 #include "linkwright/approximate/curve_fit.hpp"
+#include "linkwright/approximate/pivot_fits.hpp"
 #include "linkwright/approximate/pose_fit.hpp"
 #include "linkwright/core/angle.hpp"
 
@@ -61,7 +62,59 @@ const bool poses_registered = [] {
   return true;
 }();
 
+// A map of places of the input's pivot: a lattice, and then place by place.
+std::vector<Point> places_around(const CurveTarget& target, int count) {
+  std::vector<Point> places;
+  for (int i = 0; i < count; ++i)
+    for (int k = 0; k < count; ++k)
+      places.push_back(target.points.front() +
+                       3 * target.diagonal() * Point{(i + 0.5) / count - 0.5, (k + 0.5) / count - 0.5});
+  return places;
+}
+
+CurveFitOptions one_thread() {
+  CurveFitOptions options;
+  options.threads = 1;
+  return options;
+}
+
+void lay_lattice(benchmark::State& state, const std::string& name) {
+  const CurveTarget target = target_named(name);
+  const std::vector<Point> lattice = places_around(target, 24);
+  for (auto _ : state) benchmark::DoNotOptimize(PivotFits(target, one_thread(), lattice, {}));
+}
+
+void fit_at_pivot(benchmark::State& state, const std::string& name) {
+  const CurveTarget target = target_named(name);
+  const PivotFits fits(target, one_thread(), places_around(target, 24), {});
+  const std::vector<Point> places = places_around(target, 10);
+  for (auto _ : state)
+    for (const Point place : places) benchmark::DoNotOptimize(fits.at(place));
+  state.SetItemsProcessed(state.iterations() * static_cast<std::int64_t>(places.size()));
+}
+
+void fit_from_pivot(benchmark::State& state, const std::string& name, bool both) {
+  const CurveTarget target = target_named(name);
+  CurveFitOptions options = one_thread();
+  const FourBar bars = fit_curve(target, options).fits.front().linkage().bars;
+  options.input_pivot = bars.input_fixed;
+  if (both) options.output_pivot = bars.output_fixed;
+  double error = 0;
+  for (auto _ : state) error = fit_curve(target, options).fits.front().error.sum_of_squares;
+  state.counters["sum_of_squares"] = error;
+}
+
 const bool registered = [] {
+  for (const char* const target : {"mkh2", "yu1"}) {
+    const auto add = [&](const char* what, const auto& run) {
+      benchmark::RegisterBenchmark(("fit/" + std::string(what) + "/" + target).c_str(), run)
+          ->Unit(benchmark::kMillisecond);
+    };
+    add("lattice_of_pivots", [=](benchmark::State& state) { lay_lattice(state, target); });
+    add("100_pivots", [=](benchmark::State& state) { fit_at_pivot(state, target); });
+    add("given_pivot", [=](benchmark::State& state) { fit_from_pivot(state, target, false); });
+    add("given_pivots", [=](benchmark::State& state) { fit_from_pivot(state, target, true); });
+  }
   for (const char* const target : {"mkh2", "mkh3", "yu1", "yu2", "tri24", "gait13", "wu3_open"})
     for (const FitEffort effort : {FitEffort::quick, FitEffort::standard})
       benchmark::RegisterBenchmark(("fit/" + std::string(target) + "/" + std::string(name(effort))).c_str(),

@@ -85,7 +85,8 @@ std::string map_words(const PathAnswer& answer) {
     case PathForm::other_pivot:
       return of("places of the pivot");
     case PathForm::nearest:
-      return "The nearest paths: the solution region";
+      return answer.task.map == NearestMap::pivots ? of("places of the pivot")
+                                                   : "The nearest paths: the solution region";
     case PathForm::curve_of_arms:
       return fmt::format("The solution region of {} input links and {} linkages of each", answer.region.rows(),
                          answer.region.columns());
@@ -300,9 +301,10 @@ std::string arm_free_words(const PathTask& task) {
     case PathForm::few:
       return "No parameter is free.";
     case PathForm::nearest:
+      if (task.map == NearestMap::pivots)
+        return fmt::format("{}the place of the input link's ground pivot, at each the nearest path from there.", two);
       return "The rows of the solution region are the nearest paths that were found, its columns the three four-bars "
-             "that "
-             "trace each.";
+             "that trace each.";
     default:
       return fmt::format("{}the lengths of the {} and of the arm from it to the point. {}", two,
                          task.pivots.input ? "crank" : "output link", layer_words(task));

@@ -2,7 +2,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <variant>
 
 #include "approximate/curve_search.hpp"
 #include "approximate/fit_result.hpp"
@@ -11,20 +10,6 @@
 
 namespace linkwright {
 namespace {
-
-FitLimits scaled_limits(const CurveFitOptions& options, const ScaledTarget& target) {
-  FitLimits limits = limits_of(options, target.closed, target.diagonal);
-  const Box* box = options.windows.ground ? std::get_if<Box>(&*options.windows.ground) : nullptr;
-  if (!box) return limits;
-  const Point low = target.scaled({box->x_low, box->y_low}), high = target.scaled({box->x_high, box->y_high});
-  limits.ground = Box{low.real(), high.real(), low.imag(), high.imag()};
-  return limits;
-}
-
-CouplerLinkage in_user_frame(const CouplerLinkage& l, const ScaledTarget& target) {
-  const double unit = target.radius;
-  return {target.in_user_frame(l.a0), target.in_user_frame(l.b0), unit * l.a, unit * l.h, unit * l.b, unit * l.p};
-}
 
 // A curve as it is told, and as it was found.
 struct FoundCurve {

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 #include <functional>
+#include <iterator>
 
 #include "approximate/fit_parts.hpp"
 #include "approximate/limit_refit.hpp"
@@ -10,6 +11,39 @@
 
 namespace linkwright {
 namespace {
+
+// Fixed pivots that stand somewhere, in the frame of the target.
+class GivenPivots {
+ public:
+  GivenPivots(const CurveFitOptions& options, const ScaledTarget& target) {
+    if (options.input_pivot) input_ = target.scaled(*options.input_pivot);
+    if (options.output_pivot) output_ = target.scaled(*options.output_pivot);
+  }
+
+  [[nodiscard]] bool any() const { return input_ || output_; }
+  /// At which pairs are scanned, and the other one.
+  [[nodiscard]] Point first() const { return input_ ? *input_ : *output_; }
+  [[nodiscard]] std::optional<Point> second() const { return input_ ? output_ : std::nullopt; }
+  /// Of the pairs scanned: on an output's pivot stands what is driven from elsewhere, and both pivots are of one
+  /// four-bar.
+  [[nodiscard]] std::string_view drivers() const { return !input_ ? "g" : output_ ? "e" : "eu"; }
+
+  /// Those without a driver are also led away from their dead points: there are few starts at one place.
+  void hold(std::vector<CurveStart>& starts) const {
+    constexpr unsigned first_pivot = 0b0011, second_pivot = 0b1100;
+    if (!any()) return;
+    std::vector<CurveStart> led;
+    for (CurveStart& start : starts) {
+      if (!input_ && start.branch == 0) start = driven_by_output(std::move(start));
+      start.held = (input_ ? first_pivot : 0) | (output_ ? second_pivot : 0);
+      if (start.branch == 0) led.push_back(kept_to_branch(start));
+    }
+    std::move(led.begin(), led.end(), std::back_inserter(starts));
+  }
+
+ private:
+  std::optional<Point> input_, output_;
+};
 
 class Search {
  public:
@@ -21,13 +55,15 @@ class Search {
         chosen_(target.chosen_points()),
         chosen_weights_(target.chosen_weights()),
         limits_(limits),
+        given_(options, target),
         coarse_{chosen_, chosen_weights_, limits},
         fine_{target.points, target.weights, limits} {}
 
   CurveSearch run() {
     CurveSearch found;
     std::vector<CurveStart> starts = starts_of(scanned_pairs(), chosen_);
-    found.places = effort_.places;
+    given_.hold(starts);
+    found.places = given_.any() ? 1 : effort_.places;
     found.starts = starts.size();
     improve_all(starts, coarse_, 4, 0.4, 0.5);
     keep_best(starts, 2 * starts.size() / 5, 2 * starts.size() / 5);
@@ -50,24 +86,20 @@ class Search {
     for_all_in_parts(count, options_.threads, progress_, from, to, body);
   }
 
+  // At the places of a spiral, or again and again where a pivot is given.
   std::vector<ScannedPair> scanned_pairs() {
-    const std::vector<Point> places = pivot_places(effort_.places, target_.points, limits_.ground);
-    std::vector<std::vector<ScannedPair>> at(places.size());
-    for_all(places.size(), 0, 0.4, [&](std::size_t k) {
-      at[k] = scan_pivot(target_, chosen_, chosen_weights_, places[k], limits_.max_length, options_.simd);
+    std::vector<std::vector<ScannedPair>> at(given_.any() ? effort_.rounds : effort_.places);
+    const std::vector<Point> places =
+        given_.any() ? std::vector<Point>{} : pivot_places(at.size(), target_.points, limits_.ground);
+    for_all(at.size(), 0, 0.4, [&](std::size_t k) {
+      PairWishes wishes;
+      if (given_.any()) wishes = {dyad_grid(k), given_.drivers(), given_.second()};
+      at[k] = scan_pivot(target_, chosen_, chosen_weights_, given_.any() ? given_.first() : places[k],
+                         limits_.max_length, options_.simd, wishes);
     });
     std::vector<ScannedPair> pairs;
     for (const auto& here : at) pairs.insert(pairs.end(), here.begin(), here.end());
     return distinct_pairs(std::move(pairs), effort_.starts);
-  }
-
-  // A linkage with defects is held to lengths and windows alone.
-  FitTask task_of(const FitTask& task, const CurveStart& start) const {
-    FitTask own = task;
-    if (start.branch != 0) return own;
-    own.limits.grashof_margin = -FitLimits::unlimited;
-    own.limits.min_turn_sine = 0;
-    return own;
   }
 
   void improve_all(std::vector<CurveStart>& starts, const FitTask& task, int iterations, double from, double to) {
@@ -127,6 +159,7 @@ class Search {
   std::vector<Point> chosen_;
   std::vector<double> chosen_weights_;
   FitLimits limits_;
+  GivenPivots given_;
   FitTask coarse_, fine_;
 };
 
@@ -135,11 +168,11 @@ class Search {
 SearchEffort search_effort(FitEffort effort) {
   switch (effort) {
     case FitEffort::quick:
-      return {350, 160, 20, 6, 5, 1500};
+      return {350, 160, 20, 6, 5, 1500, 40};
     case FitEffort::deep:
-      return {22400, 12800, 480, 160, 24, 10000};
+      return {22400, 12800, 480, 160, 24, 10000, 2000};
     default:
-      return {1400, 800, 60, 20, 7, 4000};
+      return {1400, 800, 60, 20, 7, 4000, 150};
   }
 }
 

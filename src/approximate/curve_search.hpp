@@ -13,6 +13,7 @@ struct SearchEffort {
   std::size_t clean, any;      ///< of the starts with a driver, and without, that go on to the end
   std::size_t creeping;  ///< of those that have long ground links, and of the others, that go on along flat valleys
   int creeping_iterations;
+  std::size_t rounds;  ///< of the scan of a fixed pivot that is given
 };
 [[nodiscard]] SearchEffort search_effort(FitEffort effort);
 

@@ -39,6 +39,4 @@ std::string_view name(FitMeasure measure) {
   return measure == FitMeasure::least_squares ? "least_squares" : "least_largest";
 }
 
-std::string_view name(FitMap map) { return map == FitMap::curves ? "curves" : "pivots"; }
-
 }  // namespace linkwright

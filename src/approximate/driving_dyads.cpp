@@ -7,12 +7,7 @@
 namespace linkwright {
 namespace {
 
-// The sum of the lengths over the largest distance, and their difference over the least, where the target does not
-// tell.
-constexpr std::array<double, 6> free_sums = {1.01, 1.06, 1.2, 1.5, 2.2, 4};
-constexpr std::array<double, 5> free_differences = {0, 0.35, 0.65, 0.88, 0.985};
-// The points are not the whole curve: its extremes lie a little beyond theirs.
-constexpr std::array<double, 3> beyond_extremes = {0, 0.006, 0.03};
+constexpr DyadGrid usual_grid = {{1.01, 1.06, 1.2, 1.5, 2.2, 4}, {0, 0.35, 0.65, 0.88, 0.985}, {0, 0.006, 0.03}};
 // Two local extremes that differ by less than this share of the range may both be where the dyad is stretched out.
 constexpr double equal_extremes = 0.12;
 
@@ -21,8 +16,8 @@ using Flips = std::vector<std::size_t>;
 
 class DyadList {
  public:
-  DyadList(const ScaledTarget& target, std::span<const Point> chosen, Point pivot)
-      : closed_(target.closed), distances_(chosen.size()) {
+  DyadList(const ScaledTarget& target, std::span<const Point> chosen, Point pivot, const DyadGrid& grid)
+      : closed_(target.closed), grid_(grid), distances_(chosen.size()) {
     std::transform(chosen.begin(), chosen.end(), distances_.begin(),
                    [&](Point p) { return std::sqrt(std::norm(p - pivot)); });
     const auto nearer = [&](Point a, Point b) { return std::norm(a - pivot) < std::norm(b - pivot); };
@@ -32,19 +27,19 @@ class DyadList {
   }
 
   std::vector<DrivingDyad> all() {
-    add_free(SidePattern::none, {}, free_sums, free_differences);
+    add_free(SidePattern::none, {}, grid_.sums, grid_.differences);
     const Flips far = extremes(1), near = extremes(-1);
     const std::array<double, 1> told = {1};
     if (!closed_) {
-      add_free(SidePattern::far, {far[0]}, told, free_differences);
-      add_free(SidePattern::near, {near[0]}, free_sums, told);
+      add_free(SidePattern::far, {far[0]}, told, grid_.differences);
+      add_free(SidePattern::near, {near[0]}, grid_.sums, told);
     }
-    for (const double beyond : beyond_extremes) {
+    for (const double beyond : grid_.beyond) {
       const std::array<double, 1> sum = {1 + beyond}, difference = {1 - beyond};
       add_free(SidePattern::far_and_near, {far[0], near[0]}, sum, difference);
     }
-    if (far.size() > 1) add_free(SidePattern::twice_far, {far[0], far[1]}, told, free_differences);
-    if (near.size() > 1) add_free(SidePattern::twice_near, {near[0], near[1]}, free_sums, told);
+    if (far.size() > 1) add_free(SidePattern::twice_far, {far[0], far[1]}, told, grid_.differences);
+    if (near.size() > 1) add_free(SidePattern::twice_near, {near[0], near[1]}, grid_.sums, told);
     if (far.size() > 1 && near.size() > 1)
       add_free(SidePattern::twice_both, {far[0], far[1], near[0], near[1]}, told, told);
     return std::move(dyads_);
@@ -97,6 +92,7 @@ class DyadList {
   }
 
   bool closed_;
+  const DyadGrid& grid_;
   std::vector<double> distances_;
   double least_ = 0, most_ = 0;
   std::vector<DrivingDyad> dyads_;
@@ -104,8 +100,25 @@ class DyadList {
 
 }  // namespace
 
-std::vector<DrivingDyad> driving_dyads(const ScaledTarget& target, std::span<const Point> chosen, Point pivot) {
-  return DyadList(target, chosen, pivot).all();
+DyadGrid dyad_grid(std::size_t round) {
+  DyadGrid grid = usual_grid;
+  if (round == 0) return grid;
+  // Each distance from 1 between its root of a half and of 2 times itself, by rising multiples of irrational numbers.
+  constexpr double golden = 0.6180339887498949, silver = 0.4142135623730951;
+  const auto factor = [&](double irrational) {
+    const double share = static_cast<double>(round) * irrational;
+    return std::exp2(share - std::floor(share) - 0.5);
+  };
+  const double of_sums = factor(golden), of_differences = factor(silver);
+  for (double& sum : grid.sums) sum = 1 + of_sums * (sum - 1);
+  for (double& difference : grid.differences) difference = std::max(0.0, 1 - of_differences * (1 - difference));
+  for (double& beyond : grid.beyond) beyond *= of_sums;
+  return grid;
+}
+
+std::vector<DrivingDyad> driving_dyads(const ScaledTarget& target, std::span<const Point> chosen, Point pivot,
+                                       const DyadGrid& grid) {
+  return DyadList(target, chosen, pivot, grid).all();
 }
 
 }  // namespace linkwright

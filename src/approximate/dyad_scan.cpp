@@ -43,19 +43,25 @@ std::optional<CouplerLinkage> dyad_of(Point pivot, double input, double arm, con
   return CouplerLinkage{pivot, pivot + center, input, h, 0, arm / h * std::conj(z)};
 }
 
+CouplerLinkage moved_by(CouplerLinkage linkage, Point by) {
+  linkage.a0 += by;
+  linkage.b0 += by;
+  return linkage;
+}
+
 // The best of a pattern.
 struct PatternBest {
   double value = infinite;  ///< least eigenvalue
   std::optional<ScannedPair> any, clean, compact;
 
   // A pair that is scored; whether it has a driver takes as long, and is asked where it matters.
-  void offer(ScannedPair& pair, const PairRating& rating) {
+  void offer(ScannedPair& pair, const PairRating& rating, std::string_view drivers) {
     std::optional<ScannedPair>& driven = is_compact(pair.linkage) ? compact : clean;
     const auto better_than = [&pair](const std::optional<ScannedPair>& best) {
       return !best || pair.score < best->score;
     };
     if (!better_than(any) && !better_than(driven)) return;
-    pair.driver = rating.driver(pair.linkage);
+    pair.driver = rating.driver(pair.linkage, drivers);
     if (better_than(any)) any = pair;
     if (pair.driver != 0 && better_than(driven)) driven = pair;
   }
@@ -64,16 +70,21 @@ struct PatternBest {
 class PivotScan {
  public:
   PivotScan(const ScaledTarget& target, std::span<const Point> chosen, std::span<const double> weights, Point pivot,
-            double max_length)
+            double max_length, const PairWishes& wishes)
       : target_(target),
         chosen_(chosen),
         weights_(weights),
         pivot_(pivot),
         max_length_(max_length),
+        wishes_(wishes),
         rating_(chosen, weights, pivot, target.closed) {}
 
   std::vector<ScannedPair> best(Simd simd) {
     if (!fill_block()) return {};
+    if (wishes_.second) {
+      for (std::size_t k = 0; k < dyads_.size(); ++k) offer_to_second(k);
+      return listed();
+    }
     dyad_scan_kernel.for_simd(simd)(block_);
     for (std::size_t k = 0; k < dyads_.size(); ++k) {
       double& least = best_of(k).value;
@@ -92,7 +103,7 @@ class PivotScan {
   // False where the pivot lies on the target: no dyad has a direction there.
   bool fill_block() {
     constexpr double nearest = 1e-9;
-    dyads_ = driving_dyads(target_, chosen_, pivot_);
+    dyads_ = driving_dyads(target_, chosen_, pivot_, wishes_.grid);
     block_.count = static_cast<int>(dyads_.size());
     block_.points = static_cast<int>(chosen_.size());
     for (std::size_t j = 0; j < chosen_.size(); ++j) {
@@ -119,11 +130,27 @@ class PivotScan {
     const SecondDyads seconds = second_dyads(pivot_, dyad.input, dyad.arm, vectors);
     if (seconds.count == 0) return;
     rating_.drive(dyad.input, dyad.arm, dyad.right);
-    for (std::size_t c = 0; c < seconds.count; ++c) {
-      ScannedPair pair{seconds.linkages[c], dyad.right};
-      rating_.score(pair);
-      if (std::isfinite(pair.score) && is_built(pair.linkage)) best_of(k).offer(pair, rating_);
-    }
+    for (std::size_t c = 0; c < seconds.count; ++c) offer(k, seconds.linkages[c]);
+  }
+
+  // The second dyad at a given pivot. There no cognate has input and arm exchanged: that is another linkage.
+  void offer_to_second(std::size_t k) {
+    offer_to_second(k, dyads_[k].input, dyads_[k].arm);
+    offer_to_second(k, dyads_[k].arm, dyads_[k].input);
+  }
+  void offer_to_second(std::size_t k, double input, double arm) {
+    rating_.drive(input, arm, dyads_[k].right);
+    std::array<LoopState, DyadBlock::most_points> driven;
+    for (std::size_t j = 0; j < chosen_.size(); ++j) driven[j] = rating_.driven(j);
+    const auto linkage =
+        second_dyad_at(*wishes_.second - pivot_, input, arm, {driven.data(), chosen_.size()}, weights_);
+    if (linkage) offer(k, moved_by(*linkage, pivot_));
+  }
+
+  void offer(std::size_t k, const CouplerLinkage& linkage) {
+    ScannedPair pair{linkage, dyads_[k].right};
+    rating_.score(pair);
+    if (std::isfinite(pair.score) && is_built(pair.linkage)) best_of(k).offer(pair, rating_, wishes_.drivers);
   }
 
   [[nodiscard]] bool is_built(const CouplerLinkage& linkage) const {
@@ -147,6 +174,7 @@ class PivotScan {
   std::span<const double> weights_;
   Point pivot_;
   double max_length_;
+  const PairWishes& wishes_;
   PairRating rating_;
   std::vector<DrivingDyad> dyads_;
   DyadBlock block_{};
@@ -180,8 +208,9 @@ SecondDyads second_dyads(Point pivot, double input, double arm, const std::array
 }
 
 std::vector<ScannedPair> scan_pivot(const ScaledTarget& target, std::span<const Point> chosen,
-                                    std::span<const double> weights, Point pivot, double max_length, Simd simd) {
-  return PivotScan(target, chosen, weights, pivot, max_length).best(simd);
+                                    std::span<const double> weights, Point pivot, double max_length, Simd simd,
+                                    const PairWishes& wishes) {
+  return PivotScan(target, chosen, weights, pivot, max_length, wishes).best(simd);
 }
 
 }  // namespace linkwright

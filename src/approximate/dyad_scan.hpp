@@ -1,7 +1,9 @@
 #pragma once
 
 #include <array>
+#include <optional>
 #include <span>
+#include <string_view>
 #include <vector>
 
 #include "approximate/coupler_linkage.hpp"
@@ -21,10 +23,20 @@ struct DrivingDyad {
   SidePattern pattern = SidePattern::none;
 };
 
+/// What is tried where the target does not tell: the sum of a dyad's lengths over the largest distance of the target,
+/// their difference over its least, and how far beyond the extremes of the points those of the curve lie.
+struct DyadGrid {
+  std::array<double, 6> sums;
+  std::array<double, 5> differences;
+  std::array<double, 3> beyond;
+};
+/// The usual one; by rising `round` others, with values between.
+[[nodiscard]] DyadGrid dyad_grid(std::size_t round = 0);
+
 /// All that are tried at a fixed pivot: lengths read off the largest and the least distance of the target, where they
 /// change sides, and inflated otherwise.
 [[nodiscard]] std::vector<DrivingDyad> driving_dyads(const ScaledTarget& target, std::span<const Point> chosen,
-                                                     Point pivot);
+                                                     Point pivot, const DyadGrid& grid = dyad_grid());
 
 /// A start of the least squares: a driving dyad and a second one.
 struct ScannedPair {
@@ -53,9 +65,22 @@ struct SecondDyads {
 [[nodiscard]] SecondDyads second_dyads(Point pivot, double input, double arm,
                                        const std::array<std::array<double, 7>, 2>& vectors);
 
+/// The second dyad at a given place of its fixed pivot, from the first one, whose driven states (their u from the
+/// moving pivot to the point) are given: with z from that pivot to the other, in the frame of u, the square of the
+/// output's length is linear in z and one constant more. Its output has no length yet; nothing where z has none.
+[[nodiscard]] std::optional<CouplerLinkage> second_dyad_at(Point second, double input, double arm,
+                                                           std::span<const LoopState> driven,
+                                                           std::span<const double> weights);
+
+/// Which pairs are looked for at a fixed pivot.
+struct PairWishes {
+  DyadGrid grid = dyad_grid();
+  std::string_view drivers = "eug";  ///< what may drive
+  std::optional<Point> second;       ///< the other fixed pivot; nothing: anywhere
+};
 /// The best pairs at a fixed pivot: to each pattern the best one, and the best one that has a driver.
 [[nodiscard]] std::vector<ScannedPair> scan_pivot(const ScaledTarget& target, std::span<const Point> chosen,
                                                   std::span<const double> weights, Point pivot, double max_length,
-                                                  Simd simd);
+                                                  Simd simd, const PairWishes& wishes = {});
 
 }  // namespace linkwright

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 #include <tuple>
+#include <variant>
 
 #include "approximate/drive_verdict.hpp"
 
@@ -63,9 +64,18 @@ bool fixed_pivots_within(const std::optional<PivotWindow>& window, const Coupler
   return in(linkage.a0) && in(linkage.b0);
 }
 
-bool keeps(const FitLimits& limits, const PivotWindows& windows, const Realisation& of, double diagonal) {
+bool has_given_pivots(const CurveFitOptions& options, const CouplerLinkage& linkage, double length) {
+  const auto is_at = [&](const std::optional<Point>& given, Point p) {
+    return !given || std::abs(*given - p) <= limit_slack * length;
+  };
+  return is_at(options.input_pivot, linkage.a0) && is_at(options.output_pivot, linkage.b0);
+}
+
+bool keeps(const FitLimits& limits, const CurveFitOptions& options, const Realisation& of, double diagonal) {
   const LinkLengths lengths = of.linkage.lengths();
-  return lengths.longest() <= (1 + limit_slack) * limits.max_length &&
+  const PivotWindows& windows = options.windows;
+  return has_given_pivots(options, of.linkage, diagonal) &&
+         lengths.longest() <= (1 + limit_slack) * limits.max_length &&
          lengths.shortest() >= (1 - limit_slack) * limits.min_length &&
          lengths.longest() <= (1 + limit_slack) * limits.max_link_ratio * lengths.shortest() &&
          grashof_excess(lengths) >= limits.grashof_margin - limit_slack * diagonal &&
@@ -138,6 +148,20 @@ FitLimits limits_of(const CurveFitOptions& options, bool closed, double diagonal
   return limits;
 }
 
+FitLimits scaled_limits(const CurveFitOptions& options, const ScaledTarget& target) {
+  FitLimits limits = limits_of(options, target.closed, target.diagonal);
+  const Box* box = options.windows.ground ? std::get_if<Box>(&*options.windows.ground) : nullptr;
+  if (!box) return limits;
+  const Point low = target.scaled({box->x_low, box->y_low}), high = target.scaled({box->x_high, box->y_high});
+  limits.ground = Box{low.real(), high.real(), low.imag(), high.imag()};
+  return limits;
+}
+
+CouplerLinkage in_user_frame(const CouplerLinkage& l, const ScaledTarget& target) {
+  const double unit = target.radius;
+  return {target.in_user_frame(l.a0), target.in_user_frame(l.b0), unit * l.a, unit * l.h, unit * l.b, unit * l.p};
+}
+
 CurveFit curve_fit_of(const CouplerLinkage& linkage, std::span<const LoopState> states, const CurveTarget& target,
                       const CurveFitOptions& options, FirstRealisation choice) {
   const double diagonal = target.diagonal();
@@ -146,7 +170,7 @@ CurveFit curve_fit_of(const CouplerLinkage& linkage, std::span<const LoopState> 
   const std::vector<Realisation> all = realisations_of(linkage, states);
   const FitLimits limits = limits_of(options, target.closed, diagonal);
   std::vector<bool> within;
-  for (const Realisation& of : all) within.push_back(keeps(limits, options.windows, of, diagonal));
+  for (const Realisation& of : all) within.push_back(keeps(limits, options, of, diagonal));
   const bool given = choice == FirstRealisation::as_given;
   const std::size_t first = given ? 0 : best_realisation(all, drive, target.closed, within);
   const Realisation& best = all[first];

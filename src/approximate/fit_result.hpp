@@ -4,6 +4,7 @@
 
 #include "approximate/coupler_linkage.hpp"
 #include "approximate/fit_limits.hpp"
+#include "approximate/scan_target.hpp"
 #include "linkwright/approximate/curve_fit.hpp"
 
 namespace linkwright {
@@ -21,5 +22,10 @@ void require_curve_target(const CurveTarget& target);
 /// What the options ask for, in a unit of which `diagonal` is that of the target. Windows are left out: they have a
 /// frame.
 [[nodiscard]] FitLimits limits_of(const CurveFitOptions& options, bool closed, double diagonal);
+
+/// The same and the window of the fixed pivots, in the frame in which the target is fitted.
+[[nodiscard]] FitLimits scaled_limits(const CurveFitOptions& options, const ScaledTarget& target);
+/// A linkage of that frame.
+[[nodiscard]] CouplerLinkage in_user_frame(const CouplerLinkage& linkage, const ScaledTarget& target);
 
 }  // namespace linkwright

@@ -47,6 +47,7 @@ void hold_pivots(const Box& box, Point& a0, Point& b0, unsigned& held) {
   for (std::size_t k = 0; k < 2; ++k) {
     const Point at = *pivots[k];
     const Point within{std::clamp(at.real(), box.x_low, box.x_high), std::clamp(at.imag(), box.y_low, box.y_high)};
+    if ((held >> 2 * k & 3u) == 3u) continue;  // where it is asked for, or at a corner
     if (within.real() != at.real()) held |= 1u << 2 * k;
     if (within.imag() != at.imag()) held |= 2u << 2 * k;
     *pivots[k] = within;

@@ -53,13 +53,13 @@ double PairRating::square_across(const CouplerLinkage& linkage) const {
   return sum;
 }
 
-char PairRating::driver(const CouplerLinkage& linkage) const {
+char PairRating::driver(const CouplerLinkage& linkage, std::string_view among) const {
   const auto e = [&](std::size_t j) { return states_[j].e; };
   const auto u = [&](std::size_t j) { return states_[j].u; };
   const auto g = [&](std::size_t j) { return output_[j] / linkage.b; };
-  if (drives(e, u, g)) return 'e';
-  if (drives(u, e, g)) return 'u';
-  return drives(g, e, u) ? 'g' : 0;
+  for (const char letter : among)
+    if (letter == 'e' ? drives(e, u, g) : letter == 'u' ? drives(u, e, g) : drives(g, e, u)) return letter;
+  return 0;
 }
 
 // Turns one way, but for what an error of the points may turn it back, and the two others never are in line.

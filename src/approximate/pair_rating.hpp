@@ -2,6 +2,7 @@
 
 #include <array>
 #include <span>
+#include <string_view>
 
 #include "approximate/dyad_scan.hpp"
 #include "approximate/dyad_scan_kernel.hpp"
@@ -25,8 +26,8 @@ class PairRating {
 
   /// Length of the output and score of a pair whose other numbers are known.
   void score(ScannedPair& pair);
-  /// Of the pair that was scored last.
-  [[nodiscard]] char driver(const CouplerLinkage& linkage) const;
+  /// Of the pair that was scored last, the first among these letters that drives; 0: none.
+  [[nodiscard]] char driver(const CouplerLinkage& linkage, std::string_view among = "eug") const;
 
  private:
   using States = std::array<LoopState, DyadBlock::most_points>;

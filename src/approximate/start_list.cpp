@@ -81,16 +81,41 @@ std::vector<CurveStart> starts_of(const std::vector<ScannedPair>& pairs, std::sp
   return starts;
 }
 
-void turn_within_limits(const FitLimits& limits, CurveStart& start) {
+FitTask task_of(const FitTask& task, const CurveStart& start) {
+  FitTask own = task;
+  if (start.branch != 0) return own;
+  own.limits.grashof_margin = -FitLimits::unlimited;
+  own.limits.min_turn_sine = 0;
+  return own;
+}
+
+std::optional<CurveStart> with_same_input(const CurveStart& start) {
   constexpr double arm = 1e-6;
-  if (broken_share(limits, start) == 0) return;
   CurveStart other = start;
   turn_to_swapped(other);
-  if (std::abs(other.linkage.p) < arm) return;
+  if (std::abs(other.linkage.p) < arm) return std::nullopt;
   turn_to_cognate(other);
   turn_to_swapped(other);
   if (start.branch != 0) other.branch = branch_of(other);
-  if (broken_share(limits, other) < broken_share(limits, start)) start = std::move(other);
+  return other;
+}
+
+CurveStart kept_to_branch(CurveStart start) {
+  start.branch = branch_of(start);
+  return start;
+}
+
+CurveStart driven_by_output(CurveStart start) {
+  turn_to_swapped(start);
+  if (start.branch != 0) start.branch = branch_of(start);
+  return start;
+}
+
+void turn_within_limits(const FitLimits& limits, CurveStart& start) {
+  constexpr unsigned input_pivot = 0b11;  // it would be another
+  if ((start.held & input_pivot) != 0 || broken_share(limits, start) == 0) return;
+  auto other = with_same_input(start);
+  if (other && broken_share(limits, *other) < broken_share(limits, start)) start = *std::move(other);
 }
 
 void keep_best(std::vector<CurveStart>& starts, std::size_t clean, std::size_t any) {

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <optional>
 #include <span>
 #include <vector>
 
@@ -16,7 +17,18 @@ namespace linkwright {
 /// out.
 [[nodiscard]] std::vector<CurveStart> starts_of(const std::vector<ScannedPair>& pairs, std::span<const Point> chosen);
 
-/// Two of the curve's linkages have an input that turns as this one's does: the one that is farther within the limits.
+/// What a start is fitted by: one with defects is held to lengths and windows alone.
+[[nodiscard]] FitTask task_of(const FitTask& task, const CurveStart& start);
+
+/// The curve's other linkage whose input turns as this one's does, at another pivot; nothing where the point lies on a
+/// moving pivot.
+[[nodiscard]] std::optional<CurveStart> with_same_input(const CurveStart& start);
+/// Held to one side of the dead points of its input: the one on which most of its states lie.
+[[nodiscard]] CurveStart kept_to_branch(CurveStart start);
+/// The linkage driven from the other side; its branch is that of its own input.
+[[nodiscard]] CurveStart driven_by_output(CurveStart start);
+
+/// Of the two linkages with the same input the one that is farther within the limits.
 void turn_within_limits(const FitLimits& limits, CurveStart& start);
 
 /// So many of those with a driver, a third of them compact ones where there are, and of those without.

@@ -35,7 +35,6 @@ static void fields(FieldVisitor& v, std::array<Objective, 2>& pareto) {
 
 static void fields(FieldVisitor& v, FitWishes& fit) {
   const Names<FitEffort> efforts = {{FitEffort::quick, FitEffort::standard, FitEffort::deep}};
-  const Names<FitMap> maps = {{FitMap::curves, FitMap::pivots}};
   const Names<FitMeasure> kinds = {{FitMeasure::least_squares, FitMeasure::least_largest}};
   v.object({.name = "fit"}, [&](FieldVisitor& to) {
     to.optional(Field("effort", "How many places and starts are tried."), fit.effort, efforts);
@@ -46,10 +45,6 @@ static void fields(FieldVisitor& v, FitWishes& fit) {
                       "together, at least, over the diagonal of the points; null: any linkage.")
                     .null_for_none(),
                 fit.grashof_margin, Number{.least = 0, .most = 1, .below = true});
-    to.optional(Field("map",
-                      "What the map runs over: the curves that were found, or the places of the input's ground pivot, "
-                      "each with the nearest path from there."),
-                fit.map, maps);
   });
 }
 

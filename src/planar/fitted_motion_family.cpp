@@ -81,7 +81,11 @@ std::vector<PrescribedPose> FittedMotionFamily::working_poses(MapPoint place, co
 
 void FittedMotionFamily::fill(RegionMap& map, std::span<const double> input, std::span<const double> output,
                               bool respect_direction, const RegionOptions& options, const Progress& progress) const {
-  fill_one_by_one(*this, map, input, output, respect_direction, options, progress);
+  const auto bars_at = [this](MapPoint place) {
+    const PoseFit* fit = fit_at(place);
+    return fit ? std::optional(fit->bars) : std::nullopt;
+  };
+  fill_one_by_one(*this, bars_at, map, input, output, respect_direction, options, progress);
 }
 
 std::shared_ptr<const CellMeasure> fitted_error_measure(std::shared_ptr<const FittedMotionFamily> family) {

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <array>
+#include <atomic>
 #include <cmath>
 #include <fmt/format.h>
 #include <limits>
@@ -11,6 +12,7 @@
 #include "linkwright/core/angle.hpp"
 #include "linkwright/planar/four_bar_map.hpp"
 #include "listed_cells.hpp"
+#include "pivot_path_family.hpp"
 
 namespace linkwright {
 namespace {
@@ -49,6 +51,15 @@ Point coupler_turn(const TracingFourBar& linkage, const FourBar& first, const Fi
   });
 }
 
+// On the ground pivots that are given: of the four-bars that trace a curve not all do.
+bool stands_on(const NearestTarget& near, const FourBar& bars) {
+  const double least = 1e-5 * near.target.diagonal();
+  const auto is_at = [&](const std::optional<Point>& given, Point p) {
+    return !given || std::abs(*given - p) <= least;
+  };
+  return is_at(near.pivots.input, bars.input_fixed) && is_at(near.pivots.output, bars.output_fixed);
+}
+
 // Of the points of the task alone, by their numbers there.
 CurveError error_of(const NearestTarget& near, const CurveFit& fit) {
   CurveError error = fit.error;
@@ -70,43 +81,47 @@ CurveError error_of(const NearestTarget& near, const CurveFit& fit) {
 
 }  // namespace
 
-FittedPathFamily::FittedPathFamily(NearestTarget near, std::vector<CurveFit> fits, FitMeasure measure)
-    : PathFamily({near.target.points.front(), near.target.diagonal()},
-                 axis_of_found(AxisQuantity::fitted_curve, "curve", fits.size()),
-                 axis_of_found(AxisQuantity::realisation, "realisation", most_realisations)),
+FittedPathFamily::FittedPathFamily(NearestTarget near, FitMeasure measure, MapAxis input, MapAxis output)
+    : PathFamily({near.target.points.front(), near.target.diagonal()}, std::move(input), std::move(output)),
       near_(std::move(near)),
-      fits_(std::move(fits)),
       measure_(measure),
       positions_(spread_numbers(most_positions, near_.target.points.size(), near_.target.closed)) {}
+
+FittedPathFamily::FittedPathFamily(NearestTarget near, std::vector<CurveFit> fits, FitMeasure measure)
+    : FittedPathFamily(std::move(near), measure, axis_of_found(AxisQuantity::fitted_curve, "curve", fits.size()),
+                       axis_of_found(AxisQuantity::realisation, "realisation", most_realisations)) {
+  for (CurveFit& fit : fits) fits_.push_back(std::make_shared<const CurveFit>(std::move(fit)));
+}
 
 std::span<const Measure> FittedPathFamily::measures() const { return fitted_measures; }
 
 std::optional<FittedPathFamily::Traced> FittedPathFamily::traced_at(MapPoint place) const {
   if (!(place.input >= 0 && place.output >= 0)) return std::nullopt;
   const auto curve = static_cast<std::size_t>(place.input), realisation = static_cast<std::size_t>(place.output);
-  if (curve >= fits_.size() || realisation >= fits_[curve].realisation_count) return std::nullopt;
-  return Traced{fits_[curve], fits_[curve].realisations[realisation], realisation};
+  if (curve >= fits_.size() || realisation >= fits_[curve]->realisation_count) return std::nullopt;
+  const Traced traced{fits_[curve], realisation};
+  return stands_on(near_, traced.linkage().bars) ? std::optional(traced) : std::nullopt;
 }
 
 std::optional<DyadPair> FittedPathFamily::dyad_pair(MapPoint place) const {
   const auto traced = traced_at(place);
   if (!traced) return std::nullopt;
-  const FourBar& bars = traced->linkage.bars;
-  const auto link = [&](Point center, Point circle, double coordinate) {
-    return Dyad{Homogeneous::of(frame().to_working(center)), Homogeneous::of(frame().to_working(circle)),
-                std::floor(coordinate) + 0.5};
+  const FourBar& bars = traced->linkage().bars;
+  const auto link = [&](Point center, Point circle, Side side, double coordinate) {
+    const double named = axis(side).is_discrete() ? std::floor(coordinate) + 0.5 : coordinate;
+    return Dyad{Homogeneous::of(frame().to_working(center)), Homogeneous::of(frame().to_working(circle)), named};
   };
-  return DyadPair{link(bars.input_fixed, bars.input_moving, place.input),
-                  link(bars.output_fixed, bars.output_moving, place.output)};
+  return DyadPair{link(bars.input_fixed, bars.input_moving, Side::input, place.input),
+                  link(bars.output_fixed, bars.output_moving, Side::output, place.output)};
 }
 
 std::vector<PrescribedPose> FittedPathFamily::user_poses(MapPoint place, const FourBar& /*bars*/) const {
   std::vector<PrescribedPose> poses;
   const auto traced = traced_at(place);
   if (!traced) return poses;
-  const std::vector<FitState>& states = traced->fit.states;
+  const std::vector<FitState>& states = traced->fit->states;
   for (const std::size_t j : positions_)
-    poses.push_back({{states[j].point, std::arg(coupler_turn(traced->linkage, states.front().bars, states[j]))}, {}});
+    poses.push_back({{states[j].point, std::arg(coupler_turn(traced->linkage(), states.front().bars, states[j]))}, {}});
   return poses;
 }
 
@@ -123,7 +138,7 @@ LinkageFamily::CellAt FittedPathFamily::cells(bool respect_direction) const {
     std::optional<Cell> cell = judge(place, is_worth_it);
     const auto traced = traced_at(place);
     if (!cell || !traced) return cell;
-    const CurveError error = error_of(near_, traced->fit);
+    const CurveError error = error_of(near_, *traced->fit);
     cell->values[planar_measures.size()] = measure_ == FitMeasure::least_largest ? error.max : error.rms;
     if (near_.target.closed) cell->values[0] = cell->values[1];  // it is run all along
     if (near_.target.closed && !input_is_crank(cell->type)) cell->defects.bits |= Defects::branch_bit;
@@ -140,26 +155,30 @@ std::vector<Cell> FittedPathFamily::all_at(MapPoint place, bool respect_directio
 
 void FittedPathFamily::fill(RegionMap& map, std::span<const double> input, std::span<const double> output,
                             bool respect_direction, const RegionOptions& options, const Progress& progress) const {
-  fill_one_by_one(*this, map, input, output, respect_direction, options, progress);
+  const auto bars_at = [this](MapPoint place) {
+    const auto traced = traced_at(place);
+    return traced ? std::optional(traced->linkage().bars) : std::nullopt;
+  };
+  fill_one_by_one(*this, bars_at, map, input, output, respect_direction, options, progress);
 }
 
 std::optional<FittedPath> FittedPathFamily::fitted_at(MapPoint place) const {
   const auto traced = traced_at(place);
   if (!traced) return std::nullopt;
-  const std::vector<FitState>& states = traced->fit.states;
-  const FourBar& bars = traced->linkage.bars;
+  const CurveFit& fit = *traced->fit;
+  const std::vector<FitState>& states = fit.states;
   FittedPath path;
-  path.error = error_of(near_, traced->fit);
-  path.at_length_limit = traced->fit.at_length_limit;
-  const std::vector<double>& turns = traced->fit.input_turns[traced->realisation];
+  path.error = error_of(near_, fit);
+  path.at_length_limit = fit.at_length_limit;
+  const std::vector<double>& turns = fit.input_turns[traced->realisation];
   for (std::size_t j = 0; j < states.size(); ++j) {
     if (near_.point[j] == NearestTarget::between) continue;
     path.at.push_back({near_.point[j], turns[j], states[j].point, states[j].distance});
     if (states[j].distance > near_.tolerance[j]) path.outside.push_back(near_.point[j]);
   }
-  path.realisations.push_back(bars);
-  for (std::size_t k = 0; k < traced->fit.realisation_count; ++k)
-    if (k != traced->realisation) path.realisations.push_back(traced->fit.realisations[k].bars);
+  path.realisations.push_back(traced->linkage().bars);
+  for (std::size_t k = 0; k < fit.realisation_count; ++k)
+    if (k != traced->realisation) path.realisations.push_back(fit.realisations[k].bars);
   return path;
 }
 
@@ -167,8 +186,8 @@ std::optional<std::size_t> FittedPathFamily::curve_of(const Pivots& pivots) cons
   const FourBar bars = four_bar_of(pivots);
   const double near = 1e-9 * frame().scale;
   for (std::size_t i = 0; i < fits_.size(); ++i)
-    for (std::size_t k = 0; k < fits_[i].realisation_count; ++k) {
-      const FourBar& known = fits_[i].realisations[k].bars;
+    for (std::size_t k = 0; k < fits_[i]->realisation_count; ++k) {
+      const FourBar& known = fits_[i]->realisations[k].bars;
       if (std::abs(known.input_fixed - bars.input_fixed) <= near &&
           std::abs(known.output_fixed - bars.output_fixed) <= near &&
           std::abs(known.input_moving - bars.input_moving) <= near)
@@ -197,13 +216,22 @@ CurveFitOptions fit_options(const NearestTarget& near, const Requirements& requi
   fit.min_transmission_angle = fitted_transmission_angle(requirements);
   if (requirements.ground_pivots_within) fit.windows.ground = *requirements.ground_pivots_within;
   if (requirements.moving_pivots_within) fit.windows.moving = *requirements.moving_pivots_within;
+  fit.input_pivot = near.pivots.input;
+  fit.output_pivot = near.pivots.output;
   fit.threads = options.threads;
   fit.simd = options.simd;
   return fit;
 }
 
-Notice about_search(const CurveFits& found) {
+Notice about_search(const GroundPivots& pivots, const CurveFits& found) {
   const auto [places, starts, minima] = found.counts;
+  if (pivots.count() > 0)
+    return {
+        "path_fitted_to_pivots",
+        fmt::format("The nearest paths from the ground pivot that is given were searched for: {} starts ran into {} "
+                    "different ones. That is evidence, no proof, that none comes nearer.",
+                    starts, minima),
+        {{"starts", static_cast<double>(starts)}, {"minima", static_cast<double>(minima)}}};
   return {"path_fitted",
           fmt::format("The nearest paths were searched for: from {} places of a ground pivot {} starts ran into {} "
                       "different paths. That is evidence, no proof, that none comes nearer.",
@@ -239,8 +267,7 @@ std::optional<Notice> about_straying(const FittedPathFamily& family, const Neare
 }
 
 std::optional<Notice> about_exact(const NearestTarget& near) {
-  constexpr std::size_t most_exact = 9;
-  const std::size_t count = near.point_count();
+  const std::size_t count = near.point_count(), most_exact = 9 - 2 * static_cast<std::size_t>(near.pivots.count());
   if (count > most_exact) return std::nullopt;
   return Notice{"exactly_solvable",
                 fmt::format("Through {} points some four-bars pass exactly{}; those listed are some that come as near "
@@ -299,7 +326,7 @@ TaskFamily family_of_nearest(const PathTask& task, const Requirements& requireme
   CurveFits found = fit_curve(near.target, fit, progress);
   add_least_largest(near, fit, found, progress);
   if (auto notice = about_exact(near)) given.warnings.push_back(*std::move(notice));
-  given.warnings.push_back(about_search(found));
+  given.warnings.push_back(about_search(task.pivots, found));
   if (auto notice = about_defects(near, found)) given.warnings.push_back(*std::move(notice));
   given.has_no_dyads = found.fits.empty();
   if (given.has_no_dyads) {
@@ -307,10 +334,12 @@ TaskFamily family_of_nearest(const PathTask& task, const Requirements& requireme
     return given;
   }
   if (auto notice = about_tolerance(near, found)) given.warnings.push_back(*std::move(notice));
-  const auto family = std::make_shared<const FittedPathFamily>(near, std::move(found.fits), wishes.measure);
-  if (auto notice = about_straying(*family, near)) given.warnings.push_back(*std::move(notice));
-  given.paths = family;
-  given.family = family;
+  const auto curves = std::make_shared<const FittedPathFamily>(near, found.fits, wishes.measure);
+  if (auto notice = about_straying(*curves, near)) given.warnings.push_back(*std::move(notice));
+  given.paths = curves;
+  if (task.map == NearestMap::pivots)
+    given.paths = std::make_shared<const PivotPathFamily>(near, fit, found.fits, progress);
+  given.family = given.paths;
   return given;
 }
 

@@ -20,6 +20,8 @@ class FittedPathFamily : public PathFamily {
  public:
   /// `fits`: of the target, some; `measure`: what was to be least of them.
   FittedPathFamily(NearestTarget near, std::vector<CurveFit> fits, FitMeasure measure);
+  /// Axes as LinkageFamily has them.
+  FittedPathFamily(NearestTarget near, FitMeasure measure, MapAxis input, MapAxis output);
 
   [[nodiscard]] const LinkageClass& linkages() const override { return near_path_linkages; }
   /// With the error: root mean square of the distances, or the largest of them where that is to be least.
@@ -42,19 +44,23 @@ class FittedPathFamily : public PathFamily {
   /// The three four-bars of a curve are one design.
   [[nodiscard]] double distance(const Pivots& one, const Pivots& other) const override;
 
- private:
+ protected:
   struct Traced {
-    const CurveFit& fit;
-    const TracingFourBar& linkage;
+    std::shared_ptr<const CurveFit> fit;
     std::size_t realisation;
+
+    [[nodiscard]] const TracingFourBar& linkage() const { return fit->realisations[realisation]; }
   };
-  [[nodiscard]] std::optional<Traced> traced_at(MapPoint place) const;
+  /// Nothing where there is no linkage; may be called from several threads.
+  [[nodiscard]] virtual std::optional<Traced> traced_at(MapPoint place) const;
+
+ private:
   [[nodiscard]] std::optional<std::size_t> curve_of(const Pivots& pivots) const;
   void fill(RegionMap& map, std::span<const double> input, std::span<const double> output, bool respect_direction,
             const RegionOptions& options, const Progress& progress) const override;
 
   NearestTarget near_;
-  std::vector<CurveFit> fits_;
+  std::vector<std::shared_ptr<const CurveFit>> fits_;
   FitMeasure measure_;
   std::vector<std::size_t> positions_;  ///< states that are positions, the first first
 };

@@ -41,6 +41,8 @@ double PivotRange::at(double coordinate) const {
   return middle + spread * std::tan(pi * (coordinate - 0.5));
 }
 
+double PivotRange::coordinate_of(double place) const { return 0.5 + std::atan((place - middle) / spread) / pi; }
+
 GivenPivotsFamily::GivenPivotsFamily(const WorkingFrame& frame, std::vector<PrescribedPose> poses,
                                      const DyadPair& links)
     : ProductFamily(frame, std::move(poses), one_place(), one_place()), links_(links) {}

@@ -18,6 +18,8 @@ struct PivotRange {
 
   /// The place at a coordinate in [0, 1]; both ends of the axis are at infinity.
   [[nodiscard]] double at(double coordinate) const;
+  /// The coordinate of a place.
+  [[nodiscard]] double coordinate_of(double place) const;
 };
 
 /// Three positions and both grounded links: one linkage, driven by the input.

@@ -1,6 +1,8 @@
 #pragma once
 
 #include <cstddef>
+#include <functional>
+#include <optional>
 #include <span>
 #include <string_view>
 #include <vector>
@@ -16,8 +18,11 @@ namespace linkwright {
 /// closed the last, too.
 [[nodiscard]] std::vector<std::size_t> spread_numbers(std::size_t count, std::size_t all, bool closed);
 
-/// As LinkageFamily::classify(), of a few linkages that are each judged by themselves.
-void fill_one_by_one(const FourBarFamily& family, RegionMap& map, std::span<const double> input,
+/// The bars at a place of a family's map, user's frame; called from several threads.
+using BarsAt = std::function<std::optional<FourBar>(MapPoint place)>;
+
+/// As LinkageFamily::classify(), of linkages that are each judged by themselves.
+void fill_one_by_one(const FourBarFamily& family, const BarsAt& bars_at, RegionMap& map, std::span<const double> input,
                      std::span<const double> output, bool respect_direction, const RegionOptions& options,
                      const Progress& progress);
 

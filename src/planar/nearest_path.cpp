@@ -28,10 +28,6 @@ void check_near_numbers(const PathTask& task, std::vector<Error>& found) {
 }
 
 void check_nothing_else(const PathTask& task, std::vector<Error>& found) {
-  if (task.pivots.count() > 0)
-    found.push_back({"nearest_with_pivots", "task.given",
-                     "ground pivots that are given go with points that are passed exactly; leave them out, and require "
-                     "\"ground_pivots_within\" instead"});
   if (task.box)
     found.push_back({"nearest_with_box", "options.box",
                      "a box goes with five points that are passed exactly; leave it out, and require "
@@ -46,6 +42,12 @@ void check_nothing_else(const PathTask& task, std::vector<Error>& found) {
       found.push_back({"nearest_with_derivatives", place_of_path_point(i) + ".derivatives",
                        "a path that passes near its points has no directions; leave them out"});
   }
+}
+
+void check_map(const PathTask& task, std::vector<Error>& found) {
+  if (task.map == NearestMap::pivots && task.pivots.count() > 0)
+    found.push_back({"pivot_map_with_pivots", "task.map",
+                     "places of a ground pivot are mapped where none is given; leave the pivots out, or the map"});
 }
 
 void check_near_count(const PathTask& task, std::vector<Error>& found) {
@@ -104,8 +106,10 @@ std::string_view name(CrankTiming timing) {
   return names[static_cast<std::size_t>(timing)];
 }
 
+std::string_view name(NearestMap map) { return map == NearestMap::curves ? "curves" : "pivots"; }
+
 bool PathTask::asks_for_nearest() const {
-  return closed || tolerance || between || std::any_of(points.begin(), points.end(), [](const PathPoint& point) {
+  return closed || tolerance || between || map || std::any_of(points.begin(), points.end(), [](const PathPoint& point) {
            return point.tolerance || point.weight;
          });
 }
@@ -123,7 +127,8 @@ std::optional<double> PathTask::tolerance_at(std::size_t point) const {
 
 std::vector<Error> mistakes_in_nearest(const PathTask& task) {
   using Check = void (*)(const PathTask&, std::vector<Error>&);
-  constexpr std::array<Check, 4> checks = {check_near_numbers, check_nothing_else, check_near_count, check_tolerances};
+  constexpr std::array<Check, 6> checks = {check_near_numbers, check_nothing_else, check_map,
+                                           check_near_count,   check_pivots,       check_tolerances};
   std::vector<Error> found;
   for (const auto check : checks)
     if (found.empty()) check(task, found);
@@ -173,7 +178,8 @@ void take_point(const PathTask& task, std::size_t i, double unit, NearestTarget&
 // Of each side of the polygon its middle, as a point of a quarter of the weight.
 void put_middles_between(NearestTarget& near) {
   constexpr double share = 0.25;
-  const NearestTarget given = std::exchange(near, {{{}, {}, near.target.closed}, {}, {}, std::move(near.warnings)});
+  const NearestTarget given =
+      std::exchange(near, {{{}, {}, near.target.closed}, {}, {}, near.pivots, std::move(near.warnings)});
   const std::size_t count = given.point.size();
   for (std::size_t j = 0; j < count; ++j) {
     near.target.points.push_back(given.target.points[j]);
@@ -194,6 +200,7 @@ void put_middles_between(NearestTarget& near) {
 NearestTarget nearest_target(const PathTask& task) {
   NearestTarget near;
   near.target.closed = task.closed;
+  near.pivots = task.pivots;
   const double extent = extent_of(task), unit = tolerance_unit(task);
   std::vector<std::size_t> repeated, closing;
   std::size_t last = task.points.size();

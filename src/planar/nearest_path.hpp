@@ -19,6 +19,7 @@ struct NearestTarget {
   CurveTarget target;
   std::vector<std::size_t> point;  ///< index in the task, rising; `between`: a middle of a side of the polygon
   std::vector<double> tolerance;   ///< infinite where none is given
+  GroundPivots pivots;             ///< that are given
   std::vector<Notice> warnings;    ///< points that were left out: equal neighbours, a closed path's first at its end
 
   /// Of the task, those left out not counted.

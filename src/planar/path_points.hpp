@@ -2,6 +2,7 @@
 
 #include <cstddef>
 #include <string>
+#include <vector>
 
 #include "linkwright/planar/path_task.hpp"
 
@@ -12,5 +13,9 @@ namespace linkwright {
 
 /// Largest distance of a point from the first, user's unit; 0 without points.
 [[nodiscard]] double extent_of(const PathTask& task);
+
+/// Of the ground pivots that are given: numbers that are none, plain points at a pivot, and both at one place. Of a
+/// task whose points are numbers.
+void check_pivots(const PathTask& task, std::vector<Error>& found);
 
 }  // namespace linkwright

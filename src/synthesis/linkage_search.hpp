@@ -40,7 +40,8 @@ class LinkageSearch {
   /// Refers to all of them; where it begins is counted.
   LinkageSearch(const LinkageFamily& family, const Making<Solution>& making, const Findings& findings,
                 const CountedRegion& counted, const Progress& progress)
-      : evaluator_(family, findings.requirements, findings.options.objective, counted.window, findings.added),
+      : known_(family.known_places()),
+        evaluator_(family, findings.requirements, findings.options.objective, counted.window, findings.added),
         making_(making),
         maps_(counted.maps(findings.region)),
         options_(findings.options),
@@ -95,6 +96,10 @@ class LinkageSearch {
     double step, resolution, across;
   };
   static constexpr Pace coarse = {1, 1e-3, 1e-3}, fine = {0.1, 1e-6, 1e-7};
+  // Where linkages are known already, whose places take long.
+  static constexpr int few_evaluations = 8;
+  static constexpr double rough = 2e-2;
+  static constexpr std::size_t few_feet = 8;
   static constexpr std::size_t least_feet = 30;    // whatever number is asked for, the first is the same
   static constexpr std::size_t max_left_out = 60;  // each has been driven as long as a drive may last
 
@@ -115,6 +120,7 @@ class LinkageSearch {
 
   /// Of the map of the findings up to `most`, of all that look closer together as many again.
   [[nodiscard]] std::vector<Climber> feet(std::size_t most) const {
+    if (!known_.empty()) most = std::min(most, few_feet);
     std::vector<Climber> found = feet_of(maps_.front(), most), closer;
     for (std::size_t i = 1; i < maps_.size(); ++i) {
       const std::vector<Climber> of_map = feet_of(maps_[i], most);
@@ -123,6 +129,8 @@ class LinkageSearch {
     std::sort(closer.begin(), closer.end(), ranks_first);
     if (closer.size() > most) closer.resize(most);
     found.insert(found.end(), closer.begin(), closer.end());
+    for (const MapPoint place : known_)
+      if (const auto candidate = evaluator_.candidate(place)) found.push_back({*candidate, maps_.front().step});
     return found;
   }
   // The map's numbers are single: a cell on the very edge of a requirement may fail here.
@@ -153,11 +161,15 @@ class LinkageSearch {
                        [&](const Candidate& other) { return evaluator_.distance(candidate, other) >= least; });
   }
 
-  [[nodiscard]] static Ascent ascent_of(const Pace& pace, MapPoint step) {
+  [[nodiscard]] Ascent ascent_of(const Pace& pace, MapPoint step) const {
     Ascent ascent;
     ascent.first_step = {pace.step * step.input, pace.step * step.output};
     ascent.resolution = pace.resolution;
     ascent.across = pace.across;
+    if (!known_.empty()) {
+      ascent.max_evaluations = few_evaluations;
+      ascent.resolution = std::max(pace.resolution, rough);
+    }
     return ascent;
   }
 
@@ -247,6 +259,7 @@ class LinkageSearch {
     Solution linkage;
   };
 
+  std::vector<MapPoint> known_;  ///< LinkageFamily::known_places()
   Evaluator evaluator_;
   const Making<Solution>& making_;
   std::vector<SearchMap> maps_;

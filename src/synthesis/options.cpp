@@ -97,9 +97,9 @@ std::vector<Error> mistakes_in(const Task& task, const Requirements& requirement
     return {{"fit_options", "options.fit",
              "\"fit\" belongs to paths that pass near points, and to near poses with fewer than four exact positions; "
              "remove it"}};
-  if (fits_poses && (options.fit.map != FitMap::curves || options.fit.grashof_margin != FitWishes{}.grashof_margin))
-    return {{"fit_of_paths", "options.fit",
-             "\"map\" and \"grashof_margin\" belong to paths that pass near points; remove them"}};
+  if (fits_poses && options.fit.grashof_margin != FitWishes{}.grashof_margin)
+    return {{"fit_of_paths", "options.fit.grashof_margin",
+             "a Grashof margin belongs to closed paths that pass near points; remove it"}};
   if (options.at && is_search(task))
     return {{"place_of_search", "options.at",
              output_kind(task) == OutputKind::line

@@ -169,7 +169,7 @@ def problems_with_everything():
     near = [(0, 0), (95, 40), (150, 140), (60, 230), (-70, 190), (-90, 80)]
     yield "near points", problem({"kind": "path", "mechanism": "four_bar", "points": [{"x": x, "y": y} for x, y in near]})
     yield "near weighted points", problem(
-        {"kind": "path", "mechanism": "four_bar", "closed": True, "tolerance": 3, "between": "free", "points": [
+        {"kind": "path", "mechanism": "four_bar", "closed": True, "tolerance": 3, "between": "free", "map": "pivots", "points": [
             {"x": x, "y": y, "weight": 1, "tolerance": 2, "derivatives": []} for x, y in near]},
         {"fit": {"effort": "quick", "measure": "least_squares", "grashof_margin": 0.003}}, requirements={"max_path_error": 5})
     yield "timed about a pivot", problem({"kind": "path", "mechanism": "four_bar", "points": timed,

@@ -53,7 +53,7 @@ BEYOND_SCHEMA = {"repeated_pose", "repeated_pose_a_turn_later", "transmission_an
                  "loads_required_without_loads", "loads_rpm_without_unit", "loads_spring_on_itself",
                  "loads_spring_twice", "loads_torque_by_hand", "loads_free_upside_down", "loads_free_without_case",
                  "loads_free_without_hand", "loads_two_free_springs", "fit_of_exact_path", "near_path_of_one_place",
-                 "near_path_of_two_places", "near_path_without_weight", "path_error_of_motion"}
+                 "near_path_of_two_places", "near_path_without_weight", "path_error_of_motion", "near_path_pivot_at_a_point", "near_path_pivots_at_one_place"}
 
 # Words of refusals that no schema can give: what is wrong is no matter of structure.
 BEYOND_STRUCTURE = ("same", "above the upper", "max_length", "at infinity", "in which the body moves", "the lower number first",

@@ -71,6 +71,28 @@ TEST(FittedPath, IsRankedByTheLargestDistanceWhereThatIsToBeLeast) {
   }
 }
 
+TEST(FittedPath, StandsOnThePivotsThatAreGiven) {
+  for (const bool both : {false, true}) {
+    PathTask task = oval();
+    task.pivots.input = Point{-40, -95};
+    if (both) task.pivots.output = Point{70, -90};
+    const TaskFamily given = family_of(task);
+    ASSERT_TRUE(given.paths) << both;
+    int cells = 0;
+    for (const MapPoint place : given.paths->few_places()) {
+      const auto cell = given.paths->cell(place);
+      if (!cell) continue;
+      ++cells;
+      EXPECT_NEAR(cell->pivots.ground[0].x, -40, 1e-3);
+      EXPECT_NEAR(cell->pivots.ground[0].y, -95, 1e-3);
+      if (both) {
+        EXPECT_NEAR(cell->pivots.ground[1].x, 70, 1e-3);
+      }
+    }
+    EXPECT_GT(cells, 0);
+  }
+}
+
 TEST(FittedPath, KeepsOffDeadPoints) {
   PathTask task;  // the nearest paths without that would reach a dead point at one of these
   for (const Point place : {Point{95.1, 112.1}, Point{105.3, 111.7}, Point{108.7, 109.1}, Point{106.8, 106.4},

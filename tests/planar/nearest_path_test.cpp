@@ -54,7 +54,14 @@ TEST(NearestPath, TellsWhatDoesNotGoWithIt) {
   PathTask task = hexagon();
   task.closed = true;
   task.pivots.input = Point{0, 0};
-  EXPECT_EQ(codes(task), "nearest_with_pivots@task.given");
+  EXPECT_EQ(codes(task), "");
+  task.map = NearestMap::pivots;
+  EXPECT_EQ(codes(task), "pivot_map_with_pivots@task.map");
+  task.map.reset();
+  task.pivots.output = task.pivots.input;
+  EXPECT_EQ(codes(task), "pivots_at_one_place@task.given.ground_pivots");
+  task.pivots.output = task.points[2].point;
+  EXPECT_EQ(codes(task), "point_at_pivot@task.points[2]");
   task = hexagon();
   task.closed = true;
   task.points[1].input = 0.5;

@@ -336,3 +336,40 @@ test("a bean: drawn, followed before the mouse is let go, its four-bars flicked 
   expect((await fit_of(page)).error.rms_over_diagonal).toBeLessThan(0.01);
   await keep_screenshot(page, "path_near-phone_drawn");
 });
+
+test("a bean's pivots: its map over the drawing, a linkage picked there, its pivot bolted and dragged", async ({
+  page,
+}) => {
+  await begin(page, "path_near");
+  const best = (await fit_of(page)).error.rms;
+  await page.getByTestId("path.map_pivots").click();
+  await until_settled(page);
+  await expect(page.getByTestId("drawing.plane_map")).toBeVisible();
+  expect((await fit_of(page)).error.rms).toBeCloseTo(best, 6);
+  await page.mouse.move(5, 5);
+  await keep_screenshot(page, "path_pivots");
+
+  // Under the pointer stands the input's pivot of the linkage that is shown.
+  const canvas = (await page.getByTestId("drawing.canvas").boundingBox())!,
+    at = {x: canvas.x + 0.3 * canvas.width, y: canvas.y + 0.72 * canvas.height};
+  await page.mouse.move(at.x, at.y);
+  await page.mouse.click(at.x, at.y);
+  await page.mouse.move(5, 5);
+  await until_settled(page);
+  const pivot = await middle_of(page.getByTestId("drawing.pivot_input_center"));
+  expect(Math.hypot(pivot.x - at.x, pivot.y - at.y)).toBeLessThan(4);
+  expect((await fit_of(page)).error.rms).toBeGreaterThan(best);
+
+  await page.getByTestId("path.bolted_input").click();
+  await until_settled(page);
+  const given = (await task_of(page)).given!.ground_pivots.input!;
+  expect(await read_state(page, ({hand}) => hand!.input.center![0])).toBeCloseTo(given[0], 3);
+  const stands = await middle_of(page.getByTestId("drawing.pivot_input_center"));
+  await drag(page, stands, {x: stands.x + 20, y: stands.y - 10});
+  await until_settled(page);
+  const moved = (await task_of(page)).given!.ground_pivots.input!;
+  expect(moved).not.toEqual(given);
+  expect(await read_state(page, ({hand}) => hand!.input.center![0])).toBeCloseTo(moved[0], 3);
+  await keep_screenshot(page, "path_bolted");
+  await expect(page.getByTestId("num.dxf")).toBeEnabled();
+});

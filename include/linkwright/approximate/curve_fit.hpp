@@ -44,6 +44,8 @@ struct CurveFitOptions {
   /// Boxes: for both fixed pivots, between which is fitted; and for both moving ones at the first point, which only
   /// tells which curves are listed.
   PivotWindows windows;
+  /// Where the fixed pivot of the driving link stands, and that of the other; nothing: anywhere.
+  std::optional<Point> input_pivot, output_pivot;
   std::size_t max_fits = 20;    ///< how many are listed
   int threads = 0;              ///< 0: as many as the machine has; never shows in results
   Simd simd = Simd::automatic;  ///< instruction set of the kernels; all give the same bits

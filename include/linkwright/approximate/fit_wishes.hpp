@@ -16,19 +16,11 @@ enum class FitMeasure : std::uint8_t { least_squares, least_largest };
 /// "least_squares", "least_largest".
 [[nodiscard]] std::string_view name(FitMeasure measure);
 
-/// What the map of paths that pass near points runs over: the curves that were found, or the places of the input's
-/// ground pivot, each with the nearest path from there.
-enum class FitMap : std::uint8_t { curves, pivots };
-/// "curves", "pivots".
-[[nodiscard]] std::string_view name(FitMap map);
-
 /// How it is searched for paths that pass near points.
 struct FitWishes {
   FitEffort effort = FitEffort::standard;
   FitMeasure measure = FitMeasure::least_squares;
   std::optional<double> grashof_margin = 0.003;  ///< as CurveFitOptions::grashof_margin, in [0, 1)
-
-  FitMap map = FitMap::curves;
 
   friend bool operator==(const FitWishes&, const FitWishes&) = default;
 };

@@ -74,6 +74,14 @@ enum class CrankTiming {
 /// "free", "relative", "absolute".
 [[nodiscard]] std::string_view name(CrankTiming timing);
 
+/// What the map of paths that pass near points runs over.
+enum class NearestMap {
+  curves,  ///< those that were found
+  pivots   ///< the places of the input's ground pivot, each with the nearest path from there
+};
+/// "curves", "pivots".
+[[nodiscard]] std::string_view name(NearestMap map);
+
 /// What a path task leaves open, and thereby what its map runs over.
 enum class PathForm {
   cranks,         ///< four or five timed positions: pairs of cranks
@@ -100,6 +108,7 @@ struct PathTask {
   bool closed = false;                 ///< from the last point on to the first, by an input that turns fully
   std::optional<double> tolerance;     ///< of all points without their own, user's unit, > 0
   std::optional<PathBetween> between;  ///< nothing: free
+  std::optional<NearestMap> map;       ///< nothing: curves
   std::optional<CrankTiming>
       crank_timing;  ///< nothing: relative where all points have an angle of the crank, else free
 

@@ -130,6 +130,8 @@ class LinkageFamily {
   [[nodiscard]] virtual CellAt cells(bool respect_direction) const = 0;
   /// One of them.
   [[nodiscard]] std::optional<Cell> cell(MapPoint place, bool respect_direction = true) const;
+  /// Places at which linkages were found before there was a map: a search begins there, too.
+  [[nodiscard]] virtual std::vector<MapPoint> known_places() const { return {}; }
   /// A place takes so long that climbs are rougher: it is driven through.
   [[nodiscard]] virtual bool cells_take_long() const { return false; }
   /// How far apart two designs are: the largest distance of a hinge, the grounded links named whichever way is nearer.

@@ -195,7 +195,8 @@ std::string given_words(const PathTask& task) {
 
 std::string label_of(const PathTask& task) {
   if (task.is_approximate())
-    return fmt::format("{} near {} points", task.closed ? "closed path" : "path", task.points.size());
+    return fmt::format("{} near {} points{}", task.closed ? "closed path" : "path", task.points.size(),
+                       task.pivots.count() == 0 ? "" : fmt::format(" with given {}", pivots_words(task.pivots)));
   return fmt::format("path through {} {} ({})", positions_text(position_count(task.points)), given_words(task),
                      pattern(task.points));
 }

@@ -105,6 +105,11 @@ void fields(FieldVisitor& v, PathTask& task) {
              task.tolerance, forms::length);
     to.given(Field("between", "The path passes near its points; between them it is free, or keeps to the polyline."),
              task.between, Names<PathBetween>{{PathBetween::free, PathBetween::polyline}});
+    to.given(
+        Field("map",
+              "The path passes near its points; the map runs over the curves that were found, or over the places of "
+              "the input's ground pivot, each with the nearest path from there."),
+        task.map, Names<NearestMap>{{NearestMap::curves, NearestMap::pivots}});
   });
 }
 

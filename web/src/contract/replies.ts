@@ -119,7 +119,7 @@ export interface TaskReply {
   /** As used, the defaults filled in (null: switched off). */
   requirements: Requirements;
 }
-export const requirement_keys = ["types","no_defects","min_transmission_angle_deg","max_link_ratio","max_length","min_length","ground_pivots_within","moving_pivots_within","min_link_angle_deg","max_link_angle_deg","fixed_axes_within","moving_axes_within","min_stroke","max_deviation","full_turn","max_tolerance_error","min_yield","max_open_force","max_close_force","min_hold_open","max_pin_force","max_torque"] as const;
+export const requirement_keys = ["types","no_defects","min_transmission_angle_deg","max_link_ratio","max_length","min_length","ground_pivots_within","moving_pivots_within","min_link_angle_deg","max_link_angle_deg","fixed_axes_within","moving_axes_within","min_stroke","max_deviation","full_turn","max_path_error","max_tolerance_error","min_yield","max_open_force","max_close_force","min_hold_open","max_pin_force","max_torque"] as const;
 export type RequirementKey = (typeof requirement_keys)[number];
 export interface MissedBox {
   requirement: RequirementKey;
@@ -400,5 +400,5 @@ export const requirement_keys_of = {
 "motion spherical_four_bar": ["types", "no_defects", "min_transmission_angle_deg", "min_link_angle_deg", "max_link_angle_deg", "fixed_axes_within", "moving_axes_within", "max_tolerance_error", "min_yield"],
 "function spherical_four_bar": ["types", "no_defects", "min_transmission_angle_deg", "min_link_angle_deg", "max_link_angle_deg", "fixed_axes_within", "moving_axes_within", "max_tolerance_error", "min_yield"],
 "straight_line four_bar": ["types", "min_transmission_angle_deg", "max_link_ratio", "max_length", "ground_pivots_within", "moving_pivots_within", "min_stroke", "max_deviation", "max_tolerance_error", "min_yield"],
-"path four_bar": ["types", "no_defects", "min_transmission_angle_deg", "max_link_ratio", "max_length", "min_length", "ground_pivots_within", "moving_pivots_within", "full_turn", "max_tolerance_error", "min_yield", "max_open_force", "max_close_force", "min_hold_open", "max_pin_force", "max_torque"],
+"path four_bar": ["types", "no_defects", "min_transmission_angle_deg", "max_link_ratio", "max_length", "min_length", "ground_pivots_within", "moving_pivots_within", "full_turn", "max_tolerance_error", "min_yield", "max_open_force", "max_close_force", "min_hold_open", "max_pin_force", "max_torque", "max_path_error"],
 } as const satisfies Record<string, readonly RequirementKey[]>;

@@ -33,7 +33,12 @@ const posed_point = record<PathPoint>(
 const posed_task = record<PathTask>({...kind, points: points_of(posed_point)});
 const near_task = record<PathTask>(
   {...kind, points: points_of(record<PathPoint>(direction, {tolerance: number(), weight: number()}))},
-  {closed: fc.boolean(), tolerance: number(), between: fc.constantFrom("free" as const, "polyline" as const)},
+  {
+    closed: fc.boolean(),
+    tolerance: number(),
+    between: fc.constantFrom("free" as const, "polyline" as const),
+    map: fc.constantFrom("curves" as const, "pivots" as const),
+  },
 );
 export const arbitrary_task = fc.oneof(timed_task, untimed_task, posed_task, near_task);
 export const arbitrary_requirements = {full_turn: fc.boolean()};

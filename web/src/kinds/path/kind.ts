@@ -11,7 +11,7 @@ import type {TaskKind} from "../kind";
 import {planar_objectives, planar_properties, planar_requirements, planar_types} from "../planar";
 import {layer_at} from "./layers";
 import {incompleteness} from "./missing";
-import {with_quick_fit} from "./near";
+import {path_map_of, with_quick_fit} from "./near";
 import {
   angle_counts,
   angle_key,
@@ -81,7 +81,7 @@ function read_pivots(value: unknown): GroundPivots | null {
 function read(value: JsonObject): PathTask | null {
   const points = read_list(value.points, read_point, most_points),
     ground_pivots = read_pivots(value.given),
-    {closed, tolerance, between} = value;
+    {closed, tolerance, between, map} = value;
   if (value.kind !== "path" || value.mechanism !== "four_bar" || !points) return null;
   return {
     kind: "path",
@@ -91,6 +91,7 @@ function read(value: JsonObject): PathTask | null {
     ...(typeof closed === "boolean" ? {closed} : {}),
     ...(between === "free" || between === "polyline" ? {between} : {}),
     ...(is_number(tolerance) ? {tolerance} : {}),
+    ...(map === "curves" || map === "pivots" ? {map} : {}),
   };
 }
 
@@ -175,7 +176,7 @@ function table(task: PathTask, unit: string): {head: string[]; rows: string[][]}
 }
 /** The forms of the engine's maps: the nearest paths, or how many positions have angles, of which link, and which pivots are given. */
 function map_of(task: PathTask): string {
-  if (is_near(task)) return "path near";
+  if (is_near(task)) return ["path near", path_map_of(task), ...given_sides(task)].join(" ");
   const {angled, plain} = angle_counts(task);
   return ["path", angled, plain, angle_key(task) ?? "", ...given_sides(task)].join(" ");
 }
@@ -189,7 +190,7 @@ export const path_kind: TaskKind<PathTask> = {
   read,
   incompleteness,
   stops: (task) => (is_near(task) ? Math.min(task.points.length, most_positions) : task.points.length),
-  pattern: ({points}) => pattern_of(points),
+  pattern: (task) => (is_near(task) ? "" : pattern_of(task.points)), // it counts positions that are passed
   is_mixed: ({points}) => points.some(({derivatives}) => derivatives?.length),
   anchors,
   default_max_length,

@@ -104,6 +104,46 @@ test("tolerance, weights, the polygon, the search and the closing are given", as
   expect(workbench.map).not.toBeNull();
 });
 
+test("distances stand at the points, in a plot", async () => {
+  const bars = document.querySelectorAll('[data-testid="path.distances"] rect');
+  expect(bars).toHaveLength(16);
+  expect(document.querySelector('[data-testid="path.distances"]')!.getAttribute("aria-label")).toContain("at point");
+});
+
+test("the map is the plane of the input's pivot, and a pivot is bolted where it stands", async () => {
+  const best = fit().error.rms;
+  await click("path.map_pivots");
+  await until_settled();
+  expect(task().map).toBe("pivots");
+  expect(read_state((of) => [of.task!.axes.input.quantity, of.task!.axes.output.quantity])).toEqual([
+    "center_y",
+    "center_x",
+  ]);
+  expect(fit().error.rms).toBeCloseTo(best, 6);
+  expect(read_state((of) => of.map!.rows)).toBeLessThanOrEqual(100);
+  await click("path.bolted_input");
+  await until_settled();
+  expect(task().map).toBeUndefined();
+  const given = task().given!.ground_pivots.input!;
+  pivots()[0]!.forEach((value, axis) => expect(value).toBeCloseTo(given[axis]!, 3));
+  expect(fit().error.rms).toBeLessThan(3 * best);
+  expect(document.querySelector<HTMLButtonElement>('[data-testid="path.map_pivots"]')!.disabled).toBe(true);
+  await focus("drawing.pivot_input_center");
+  await press("ArrowRight");
+  await until_settled();
+  expect(task().given!.ground_pivots.input![0]).toBeGreaterThan(given[0]);
+  expect(pivots()[0]![0]).toBeCloseTo(task().given!.ground_pivots.input![0], 3);
+  await click("path.bolted_input");
+  expect(task().given).toBeUndefined();
+});
+
+test("a distance is required, and lets what is farther off fail", async () => {
+  workbench.edit((problem) => ({...problem, requirements: {...problem.requirements, max_path_error: 1e-6}}));
+  await until_settled();
+  expect(workbench.hand!.fails).not.toBe(0);
+  expect(text("req.row.max_path_error")).toContain("Distance from the points");
+});
+
 test("points are moved by keys, taken away, put between the ends, made smooth and cleared", async () => {
   await focus("drawing.point_2");
   const {x} = task().points[1]!;

@@ -1,21 +1,26 @@
 import {describe, expect, it} from "vitest";
 import type {Problem} from "../../state/problem";
 import {incompleteness} from "./missing";
-import {between_ends, effort_of, with_effort, with_quick_fit} from "./near";
+import type {Linkage} from "../../contract/messages";
+import type {PathFit} from "../../contract/result";
+import {between_ends, effort_of, path_map_of, with_effort, with_quick_fit} from "./near";
+import {plot_of} from "./near_plot";
 import {
   path_task,
   smoothed_points,
   with_between,
+  with_bolted,
   with_clicked,
   with_closed,
   with_form,
   with_near_points,
+  with_path_map,
   with_point_number,
   with_points,
   with_tolerance,
 } from "./points";
 import {path_kind} from "./kind";
-import {is_near, type PathPoint, type PathTask} from "./task";
+import {is_near, pivots_of, type PathPoint, type PathTask} from "./task";
 
 const round = (count: number): PathPoint[] =>
   Array.from({length: count}, (_, i) => {
@@ -84,6 +89,54 @@ describe("its form", () => {
     const points = [{x: 0, y: 0, weight: 2, tolerance: 0.1}, ...round(3)];
     expect(path_kind.read({...whole, points} as never)).toEqual({...whole, points});
     expect(path_kind.read({...whole, closed: "yes", tolerance: "1"} as never)).not.toHaveProperty("closed");
+  });
+});
+
+describe("its map", () => {
+  it("runs over the curves where nothing else is said", () => {
+    const plain = problem({closed: true}),
+      mapped = with_path_map(plain, "pivots");
+    expect(task(mapped).map).toBe("pivots");
+    expect([plain, mapped].map((of) => path_map_of(task(of)))).toEqual(["curves", "pivots"]);
+    expect(path_kind.map_of(task(mapped))).not.toBe(path_kind.map_of(task(plain)));
+    expect(task(with_path_map(mapped, "curves"))).toEqual(task(plain));
+    expect(task(with_form(mapped, "angles", null))).not.toHaveProperty("map");
+  });
+  it("is none of places where a pivot stands already", () => {
+    const mapped = with_path_map(problem({closed: true}), "pivots"),
+      hand = {input: {center: [12.34567, 5]}, output: {center: [30, 1]}} as unknown as Linkage,
+      bolted = with_bolted(mapped, "input", true, hand);
+    expect(task(bolted)).not.toHaveProperty("map");
+    expect(task(bolted).given).toEqual({ground_pivots: {input: [12.35, 5]}});
+    const both = with_bolted(bolted, "output", true, hand);
+    expect(task(both).given).toEqual({ground_pivots: {input: [12.35, 5], output: [30, 1]}});
+    expect(is_near(task(both))).toBe(true);
+    expect(task(with_bolted(both, "input", false, hand)).given).toEqual({ground_pivots: {output: [30, 1]}});
+    expect(task(with_near_points(bolted, [[0, 0], [1, 0], [1, 1]], true)).given).toEqual(task(bolted).given); // prettier-ignore
+    expect(task(with_bolted(with_bolted(both, "input", false, null), "output", false, null))).not.toHaveProperty(
+      "given",
+    );
+  });
+  it("puts a pivot beside the points where no linkage is in hand", () => {
+    const [x, y] = pivots_of(task(with_bolted(problem({closed: true}), "input", true, null))).input!;
+    expect(round(8).every((p) => Math.hypot(p.x - x, p.y - y) > 0.5)).toBe(true);
+  });
+});
+describe("its distances", () => {
+  const at = [0.2, 1, 0.5].map((distance, i) => ({point: i + 1, distance, input_deg: 0, x: 0, y: 0}));
+  const fit = {at, outside: [2]} as unknown as PathFit;
+  it("are bars from the edge that stands for none, the tolerance among them", () => {
+    const {bars, top, limit} = plot_of(fit, {tolerance: 0.8}, 90, 100);
+    expect(top).toBeCloseTo(1.15, 12);
+    expect(bars.map(({y}) => y)).toEqual([0.2, 1, 0.5].map((distance) => 100 * (1 - distance / top)));
+    expect(bars.map(({outside}) => outside)).toEqual([false, true, false]);
+    expect(bars.map(({x}) => x)).toEqual([0, 30, 60]);
+    expect(limit).toBeCloseTo(100 * (1 - 0.8 / 1.15), 12);
+  });
+  it("leave a tolerance out that is far above them, and stand where all are 0", () => {
+    expect(plot_of(fit, {tolerance: 50}, 90, 100).limit).toBeNull();
+    const exact = {at: at.map((one) => ({...one, distance: 0})), outside: []} as unknown as PathFit;
+    expect(plot_of(exact, {}, 90, 100).bars.every(({y}) => y === 100)).toBe(true);
   });
 });
 

@@ -17,6 +17,13 @@ export function with_effort(problem: Problem, effort: Effort): Problem {
 function with_fit(problem: Problem, fit: NonNullable<Options["fit"]>): Problem {
   return with_options(problem, {fit: Object.keys(fit).length ? fit : undefined});
 }
+export const maps = ["curves", "pivots"] as const;
+/** What the map runs over. */
+export type PathMap = (typeof maps)[number];
+
+export function path_map_of({map}: Pick<PathTask, "map">): PathMap {
+  return map ?? "curves";
+}
 /** What is asked while a hand moves: an answer soon. */
 export function with_quick_fit(problem: Problem): Problem {
   const {task} = problem;
@@ -28,8 +35,9 @@ export function kept_near(task: PathTask): PathTask {
   return asks_for_near(task) ? task : {...task, between: "free"};
 }
 /** Without what only a path that passes through its points has; its points stay. */
-export function near_task({given: _, ...task}: PathTask): PathTask {
+export function near_task({given, ...task}: PathTask): PathTask {
   return {
+    ...(given && is_near({...task, given}) ? {given} : {}),
     ...kept_near(task),
     points: task.points.map((point) => {
       const {derivatives: _, ...place} = without_angle(point);
@@ -38,7 +46,7 @@ export function near_task({given: _, ...task}: PathTask): PathTask {
   };
 }
 /** Without what only a path that passes near its points has. */
-export function exact_task({closed: _, tolerance: __, between: ___, ...task}: PathTask): PathTask {
+export function exact_task({closed: _, tolerance: __, between: ___, map: ____, ...task}: PathTask): PathTask {
   return {
     ...task,
     points: task.points.map(({tolerance: _, weight: __, ...point}) => point),

@@ -7,7 +7,7 @@ import {without_unmet} from "../kind_dispatch";
 import {smoothed} from "./curve";
 import {angle_ahead, angle_between, evenly_timed, some_angled, with_angle_on, without_angle} from "./angles";
 import {wanted_point} from "./missing";
-import {exact_task, kept_near, near_task} from "./near";
+import {exact_task, kept_near, near_task, type PathMap} from "./near";
 import {angle_key, angle_of, form_of, given_sides, is_near, is_path, pivots_of, place_of} from "./task";
 import type {AngleKey, GroundPivots, PathForm, PathPoint, PathTask} from "./task";
 
@@ -171,16 +171,32 @@ export function with_pivot_of(problem: Problem, side: Side): Problem {
 
 /** A path that is to pass near these. */
 export function with_near_points(problem: Problem, places: readonly Point[], closed: boolean): Problem {
-  return changed(problem, ({closed: _, ...task}) => ({
-    ...near_task(closed ? {...task, closed} : task),
-    points: places.map(([x, y]): PathPoint => ({x, y})),
-  }));
+  return changed(problem, (task) => {
+    const {closed: _, ...open} = is_near(task) ? task : without_pivots(task);
+    return {
+      ...near_task(kept_near(closed ? {...open, closed} : open)),
+      points: places.map(([x, y]): PathPoint => ({x, y})),
+    };
+  });
 }
 export function with_closed(problem: Problem, closed: boolean): Problem {
   return changed_alike(problem, ({closed: _, ...task}) => (closed ? {...task, closed} : task));
 }
 export function with_between(problem: Problem, polyline: boolean): Problem {
   return changed_alike(problem, ({between: _, ...task}) => (polyline ? {...task, between: "polyline"} : task));
+}
+export function with_path_map(problem: Problem, map: PathMap): Problem {
+  return changed_alike(problem, ({map: _, ...task}) => (map === "curves" ? task : {...task, map}));
+}
+/** A ground pivot stands where the linkage in hand has it, or anywhere. Where one is given there is no map of its places. */
+export function with_bolted(problem: Problem, side: Side, wanted: boolean, hand: Linkage | null): Problem {
+  return changed_alike(problem, (task) => {
+    const {given: _, map, ...rest} = task,
+      {[side]: __, ...others} = pivots_of(task),
+      sides = [...(Object.keys(others) as Side[]), ...(wanted ? [side] : [])];
+    if (sides.length === 0) return map ? {...rest, map} : rest;
+    return {...rest, given: {ground_pivots: pivots_at(task, sides, hand)}};
+  });
 }
 export function with_tolerance(problem: Problem, tolerance: number | null): Problem {
   return changed_alike(problem, ({tolerance: _, ...task}) => (tolerance === null ? task : {...task, tolerance}));

@@ -35,6 +35,8 @@ export interface PathTask extends Task {
   tolerance?: number;
   /** The path passes near the points: between them it is free, or keeps to the polygon through them. */
   between?: "free" | "polyline";
+  /** The path passes near the points: what the map runs over, the curves unless it is told. */
+  map?: "curves" | "pivots";
 }
 
 export function is_path(task: Task): task is PathTask {
@@ -89,11 +91,12 @@ export function is_near(task: PathTask): boolean {
   return given_sides(task).length === 0 && angle_key(task) === null && position_count(task.points) > most_exact;
 }
 /** It is near however many points there are. */
-export function asks_for_near({closed, tolerance, between, points}: PathTask): boolean {
+export function asks_for_near({closed, tolerance, between, map, points}: PathTask): boolean {
   return (
     closed === true ||
     tolerance !== undefined ||
     between !== undefined ||
+    map !== undefined ||
     points.some((point) => point.tolerance !== undefined || point.weight !== undefined)
   );
 }
