@@ -32,8 +32,7 @@ class FittedMotionFamily : public FourBarFamily {
     return nullptr;
   }
 
-  /// The fit at a place; null where there is none.
-  [[nodiscard]] const PoseFit* fit_at(MapPoint place) const;
+  [[nodiscard]] const PoseFit* fit_at(MapPoint place) const override;
 
  private:
   void fill(RegionMap& map, std::span<const double> input, std::span<const double> output, bool respect_direction,

@@ -138,7 +138,7 @@ void add_near_poses(TaskFamily& given, const MotionTask& task) {
   given.near = std::make_shared<const NearPoses>(task);
   if (!given.family) return;
   given.near_error = near_error_measure(given.near, given.family);
-  if (const auto* of_motion = dynamic_cast<const MotionFamily*>(given.family.get())) of_motion->has_near_poses();
+  given.family->has_near_poses();
 }
 
 void warn_of_points(TaskFamily& given, const MotionTask& task) {

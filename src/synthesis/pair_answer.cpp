@@ -299,8 +299,7 @@ Progress part_of(const Progress& progress, double from, double to) {
 
 // Of a linkage that was fitted, as it was; of others, as driving shows.
 std::optional<NearMiss> miss_at(const TaskFamily& given, MapPoint place, const FourBar& bars) {
-  if (const auto* fitted = dynamic_cast<const FittedMotionFamily*>(given.family.get()))
-    return given.near->miss_of(*fitted->fit_at(place));
+  if (const PoseFit* fit = given.family->fit_at(place)) return given.near->miss_of(*fit);
   return given.near->miss_of(bars, given.family->user_poses(place, bars).front().pose);
 }
 

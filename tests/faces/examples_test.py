@@ -100,7 +100,7 @@ class Examples(FaceTest):
         """Calls check(requirements, poses, linkage as written, its FourBar)."""
         for name, result in self.results.items():
             for number, linkage in enumerate(result["linkages"], start=1):
-                of_task = result["problem"]["task"].get("poses") or linkage["poses"]  # of a function: the coupler's
+                of_task = linkage.get("poses") or result["problem"]["task"]["poses"]  # where they are not the task's: its own
                 poses = [Pose(pose) for pose in of_task]
                 with self.subTest(example=name, linkage=number):
                     check(result["problem"]["requirements"], poses, linkage, FourBar(linkage))
@@ -353,7 +353,8 @@ class Examples(FaceTest):
             best = result["linkages"][0]
             gamma = f"{best['min_transmission_angle_deg']:.1f}°"
             if name in NEAR:
-                error = f"{100 * best['fit']['error']['rms_over_diagonal']:.2g} %"
+                error = (f"{best['near']['error']['rms']:.2g} mm" if "near" in best
+                         else f"{100 * best['fit']['error']['rms_over_diagonal']:.2g} %")
                 expected = [str(len(result["linkages"])), best["type"], error, gamma]
             elif name in self.six_bars:
                 expected = [str(len(result["linkages"])), best["topology"], f"{best['driver_sweep_deg']:.1f}°", gamma]

@@ -18,6 +18,7 @@
 namespace linkwright {
 
 class LengthCheck;
+struct PoseFit;
 
 struct DyadPair {
   Dyad input, output;
@@ -65,6 +66,11 @@ class FourBarFamily : public LinkageFamily {
   /// coordinate.
   [[nodiscard]] virtual std::vector<Dyad> polygon(Side side) const = 0;
 
+  /// There are near poses beside the exact ones: said once, by whoever sets the family up, before anything asks it.
+  virtual void has_near_poses() const {}
+  /// Of linkages that were fitted to near poses: how that at a place was; null where there is none, and of others.
+  [[nodiscard]] virtual const PoseFit* fit_at(MapPoint /*place*/) const { return nullptr; }
+
   [[nodiscard]] std::span<const Measure> measures() const override { return planar_measures; }
   [[nodiscard]] CellAt cells(bool respect_direction) const override;
   [[nodiscard]] MapPivots pivots(const RegionMap& map) const override;
@@ -97,8 +103,7 @@ class MotionFamily : public FourBarFamily {
   MotionFamily(WorkingFrame frame, std::vector<PrescribedPose> poses, MapAxis input, MapAxis output);
 
   [[nodiscard]] const LinkageClass& linkages() const override { return *linkages_; }
-  /// There are near poses beside the exact ones: said once, by whoever sets the family up, before anything asks it.
-  void has_near_poses() const { linkages_ = &near_motion_linkages; }
+  void has_near_poses() const override { linkages_ = &near_motion_linkages; }
 
   [[nodiscard]] std::vector<PrescribedPose> user_poses(MapPoint /*place*/, const FourBar& /*bars*/) const override {
     return user_poses_;
