@@ -10,9 +10,9 @@
 namespace linkwright {
 namespace {
 
-std::string place_of(const MotionTask& task, std::size_t near) {
+std::string place_of(const MotionTask& task, std::size_t index, bool is_near = true) {
   const std::vector<TaskPlace> places = places_of(task);
-  const auto is_it = [&](const TaskPlace& place) { return place.is_near && place.index == near; };
+  const auto is_it = [&](const TaskPlace& place) { return place.is_near == is_near && place.index == index; };
   return fmt::format("task.poses[{}]", std::find_if(places.begin(), places.end(), is_it) - places.begin());
 }
 
@@ -70,7 +70,7 @@ void check_together(const MotionTask& task, std::vector<Error>& found) {
   if (!task.is_fitted()) return;
   for (std::size_t i = 0; i < task.poses.size(); ++i)
     if (!task.poses[i].derivatives.empty())
-      found.push_back({"near_with_derivatives", fmt::format("task.poses[{}].derivatives", i),
+      found.push_back({"near_with_derivatives", place_of(task, i, false) + ".derivatives",
                        "directions of travel go with four or five exact positions; leave them out, or make more "
                        "positions exact"});
 }

@@ -109,7 +109,9 @@ NearPoses::NearPoses(const MotionTask& task) : places_(places_of(task)) {
 NearMiss NearPoses::miss_of(const PoseFit& fit) const {
   NearMiss miss;
   miss.error = fit.error;
-  miss.in_order = fit.drive.no_defects(false);
+  constexpr double exact =
+      1e-6;  // of the scale: states assigned in turn may lie off exact poses that come out of order
+  miss.in_order = fit.drive.no_defects(false) && fit.error.exact_residual <= exact * target_.scale();
   miss.at_length_limit = fit.at_length_limit;
   for (std::size_t j = 0; j < fit.states.size(); ++j) {
     const PoseState& state = fit.states[j];

@@ -81,11 +81,11 @@ TEST(MotionTask, DerivativesCountAsPositions) {
   EXPECT_EQ(
       mistakes_in(mixed({2, 2, 2}))[0].message,
       "6 positions were given (PP-PP-PP: 3 poses and 3 derivatives, each counting as one) and 5 are the most that "
-      "a four-bar can pass exactly; remove 1");
+      "a four-bar can pass exactly; remove 1, or mark some poses \"near\": true");
   EXPECT_EQ(mistakes_in(mixed({100}))[0].message,
             "100 positions were given (PPPPPPPPPPPP…: 1 pose and 99 derivatives, each counting as one) and 5 are the "
             "most that a "
-            "four-bar can pass exactly; remove 95");
+            "four-bar can pass exactly; remove 95, or mark some poses \"near\": true");
 }
 
 TEST(MotionTask, ThreePositionsWantSomethingGivenAndOnlyThey) {

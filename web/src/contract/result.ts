@@ -288,7 +288,47 @@ export interface PathFit {
   /** The four-bars that trace the same path (Roberts' theorem), this one first; at angles of the crank those whose cranks turn alike. Fixed frame, position 1, the point the same in each. */
   realisations: readonly Realisation[];
 }
-export const requirement_keys = ["types","no_defects","min_transmission_angle_deg","max_link_ratio","max_length","min_length","ground_pivots_within","moving_pivots_within","min_link_angle_deg","max_link_angle_deg","fixed_axes_within","moving_axes_within","min_stroke","max_deviation","full_turn","max_path_error","max_tolerance_error","min_yield","max_open_force","max_close_force","min_hold_open","max_pin_force","max_torque"] as const;
+/** Of the body from the near poses, user's unit; of a pose √(distance² + (turning length × angle)²). */
+export interface PoseFitError {
+  /** Weighted. */
+  sum_of_squares: number;
+  /** Root of the weighted mean of the squares. */
+  rms: number;
+  position_rms: number;
+  position_max: number;
+  angle_rms_deg: number;
+  angle_max_deg: number;
+  /** At which pose, from 1. */
+  max_at: number;
+  /** Largest error at the exact poses. */
+  exact_residual: number;
+}
+export interface NearestToPose {
+  /** From 1. */
+  pose: number;
+  near: boolean;
+  /** Turn of the input from position 1. */
+  input_deg: number;
+  /** Of the moving frame's origin, fixed frame. */
+  place: readonly [number, number] | null;
+  theta_deg: number;
+  distance: number;
+  angle_deg: number;
+}
+export interface NearPoses {
+  error: PoseFitError;
+  /** At all near poses that have one. */
+  within_tolerance: boolean;
+  /** Poses at which it is farther off than their tolerance, from 1. */
+  outside: readonly number[];
+  /** Driving meets all poses in their order, and no dead point on the way. */
+  in_order: boolean;
+  /** Its longest link is as long as is allowed: longer ones may come nearer. */
+  at_length_limit: boolean;
+  /** Where the linkage is nearest to each pose, in their order. */
+  at: readonly NearestToPose[];
+}
+export const requirement_keys = ["types","no_defects","min_transmission_angle_deg","max_link_ratio","max_length","min_length","ground_pivots_within","moving_pivots_within","min_link_angle_deg","max_link_angle_deg","fixed_axes_within","moving_axes_within","min_stroke","max_deviation","full_turn","max_path_error","max_near_error","max_tolerance_error","min_yield","max_open_force","max_close_force","min_hold_open","max_pin_force","max_torque"] as const;
 export type RequirementKey = (typeof requirement_keys)[number];
 export interface Sensitivity {
   parameter: string;
@@ -480,6 +520,8 @@ export interface FourBar {
   position_error?: number;
   /** Paths, free of defects: by driving, the largest turn of the crank from there to where the point is nearest. */
   timing_error_deg?: number;
+  /** Motions past near poses: how near, in their turn. */
+  near?: NearPoses;
   local_optimum: boolean;
   /** Driven through the task it has the defects told; of functions, free of defects, it also stood right at each pair, of paths the point at each point. */
   verified_by_driving: boolean;
@@ -495,7 +537,7 @@ export interface FourBar {
   reason?: string;
   /** Functions with a free number: the value that this linkage has. */
   free_value?: number;
-  /** Of the coupler, as in problem files, where they are not the task's: of functions (origin in the input's moving pivot, angle 0 at the first pair), of paths (origin in the point, angle 0 in position 1), and of five positions with one freed. */
+  /** Of the coupler, as in problem files, where they are not the task's: of functions (origin in the input's moving pivot, angle 0 at the first pair), of paths (origin in the point, angle 0 in position 1), of five positions with one freed, and of motions past near poses: exact ones, or where the body is nearest to some. */
   poses?: readonly Pose[];
   /** The same bars driven from the other grounded link. */
   swapped: Swapped;
