@@ -25,13 +25,24 @@ export interface PoseByPoints {
   /** First, second, … derivatives by any parameter that increases along the task: the direction of travel through the pose, then its curvature, …. */
   derivatives?: readonly Derivative[];
 }
-/** Pose of the moving frame in the fixed frame; theta counts modulo 360. */
-export interface Pose {
+export interface PoseTolerance {
+  /** Of the moving frame's origin. */
+  position?: number;
+  angle_deg?: number;
+}
+/** Pose of the moving frame in the fixed frame; theta counts modulo 360. Passed exactly, or as near as a linkage can. */
+export interface MotionPose {
   x: number;
   y: number;
   theta_deg: number;
   /** First, second, … derivatives by any parameter that increases along the task: the direction of travel through the pose, then its curvature, …. */
   derivatives?: readonly Derivative[];
+  /** As near as a linkage can, in its turn, instead of exactly. */
+  near?: boolean;
+  /** Near poses: how far off the body may be. */
+  tolerance?: PoseTolerance;
+  /** Near poses: of the squared error; 1 where it is left out. */
+  weight?: number;
 }
 export interface Line {
   point: readonly [number, number];
@@ -87,11 +98,13 @@ export interface GivenPivotLines {
   moving_pivot_on?: Line;
 }
 export type Given = GivenSideLengths | GivenSideLength | GivenSideAngle | GivenInstantCenter | GivenGroundPivots | GivenMovingPivots | GivenSinglePivots | GivenPivotLines;
-/** Motion generation: a body shall pass through three, four or five positions in this order. A pose counts as one position, and as one more for each of its derivatives. */
+/** Motion generation: a body shall pass through three, four or five positions in this order. A pose counts as one position, and as one more for each of its derivatives. Poses that are near come in their order beside them: with four exact positions they are measured over the solution region, with fewer linkages are fitted to all. */
 export interface MotionTask {
   kind: "motion";
   mechanism: "four_bar";
-  poses: readonly (PoseByPoints | Pose)[];
+  poses: readonly (PoseByPoints | MotionPose)[];
+  /** Near poses: an error of angle of 1 radian counts as one of position of this length; left out: the characteristic length of all poses. */
+  turning_length?: number;
   /** Five positions: the pose, counted from 1 and without derivatives, that need not be passed exactly; the result says by how much a linkage misses it. */
   freed_pose?: number | null;
   /** Four positions: lines on which the links have a pivot, one at most to each link; it is then one of at most three dyads. */
@@ -160,6 +173,14 @@ export type FunctionTask = {
 } | {
   function: Function;
 });
+/** Pose of the moving frame in the fixed frame; theta counts modulo 360. */
+export interface Pose {
+  x: number;
+  y: number;
+  theta_deg: number;
+  /** First, second, … derivatives by any parameter that increases along the task: the direction of travel through the pose, then its curvature, …. */
+  derivatives?: readonly Derivative[];
+}
 /** Hinges of the chain 0-1-2-3 in position 1, fixed frame. */
 export interface Chain {
   a: readonly [number, number];
@@ -343,7 +364,7 @@ export interface PathGroundPivots {
 export interface PathGiven {
   ground_pivots: PathGroundPivots;
 }
-/** Path generation: a point of the coupler passes places in this order: four or five at given angles of the crank; three with angles of crank or coupler and two without, or four and one; or from given ground pivots, or from one that is searched for in options.box. A point counts as one position, and as one more for each of its derivatives. Or it passes as near as it can to three to 1000 points: where one of closed, tolerance and weight is given, or more than five points and nothing else. */
+/** Path generation: a point of the coupler passes places in this order: four or five at given angles of the crank; three with angles of crank or coupler and two without, or four and one; or from given ground pivots, or from one that is searched for in options.box. A point counts as one position, and as one more for each of its derivatives. Or it passes as near as it can to three to 1000 points: where one of closed, tolerance, weight and timing is given, or more than five points, all at angles of the crank or none, and nothing else. */
 export interface PathTask {
   kind: "path";
   mechanism: "four_bar";
@@ -356,6 +377,8 @@ export interface PathTask {
   tolerance?: number;
   /** The path passes near its points; between them it is free, or keeps to the polyline. */
   between?: "free" | "polyline";
+  /** The path passes near its points: the angles of the crank do not count; or as turns, from any datum and in either sense; or as angles of the input link from the x axis. Left out: relative where all points have one. */
+  timing?: "free" | "relative" | "absolute";
   /** The path passes near its points; the map runs over the curves that were found, or over the places of the input's ground pivot, each with the nearest path from there. */
   map?: "curves" | "pivots";
 }
@@ -405,6 +428,8 @@ export interface Requirements {
   full_turn?: boolean;
   /** Paths near their points: root mean square of the distances of the points from the path, or the largest of them where that is to be least. */
   max_path_error?: number | null;
+  /** Motions past near poses: root mean square of the errors there, user's unit; an error of angle counts by the turning length. */
+  max_near_error?: number | null;
   /** Largest error by tolerances, in their unit: the user's length; of functions and spherical linkages degrees. Needs tolerances; off where it is not given. */
   max_tolerance_error?: number | null;
   /** Least share of sampled linkages that assemble and keep the limit in all positions. Needs tolerances with a limit; off where it is not given. */
@@ -666,8 +691,6 @@ export interface Fit {
   measure?: "least_squares" | "least_largest";
   /** Closed paths: by how much the longest and the shortest link are shorter than the other two together, at least, over the diagonal of the points; null: any linkage. */
   grashof_margin?: number | null;
-  /** What the map runs over: the curves that were found, or the places of the input's ground pivot, each with the nearest path from there. */
-  map?: "curves" | "pivots";
 }
 export interface Options {
   /** N of the N × N region. */
@@ -675,9 +698,9 @@ export interface Options {
   /** Even steps of the curve coordinate, or of the length run by circle and centre point. */
   spacing?: "coordinate" | "arc_length";
   /** What the best linkages have: the largest least transmission angle, the smallest link ratio, the smallest longest link, the smallest structural error of a named function, of spherical linkages the largest least link angle, or with tolerances the smallest error by them or the largest yield. */
-  objective?: "min_transmission_angle" | "link_ratio" | "size" | "structural_error" | "link_angle" | "stroke" | "deviation" | "velocity_uniformity" | "tolerance_error" | "yield" | "hand_force" | "hold_open" | "pin_force" | "torque" | "cylinder_force" | "self_rise" | "self_close" | "best_F1" | "path_error";
+  objective?: "min_transmission_angle" | "link_ratio" | "size" | "structural_error" | "link_angle" | "stroke" | "deviation" | "velocity_uniformity" | "tolerance_error" | "yield" | "hand_force" | "hold_open" | "pin_force" | "torque" | "cylinder_force" | "self_rise" | "self_close" | "best_F1" | "path_error" | "near_error";
   /** Two objectives of the map: linkages that no other beats in both are listed, instead of the best by one. */
-  pareto?: readonly ["min_transmission_angle" | "link_ratio" | "size" | "structural_error" | "link_angle" | "stroke" | "deviation" | "velocity_uniformity" | "tolerance_error" | "yield" | "hand_force" | "hold_open" | "pin_force" | "torque" | "cylinder_force" | "self_rise" | "self_close" | "best_F1" | "path_error", "min_transmission_angle" | "link_ratio" | "size" | "structural_error" | "link_angle" | "stroke" | "deviation" | "velocity_uniformity" | "tolerance_error" | "yield" | "hand_force" | "hold_open" | "pin_force" | "torque" | "cylinder_force" | "self_rise" | "self_close" | "best_F1" | "path_error"] | null;
+  pareto?: readonly ["min_transmission_angle" | "link_ratio" | "size" | "structural_error" | "link_angle" | "stroke" | "deviation" | "velocity_uniformity" | "tolerance_error" | "yield" | "hand_force" | "hold_open" | "pin_force" | "torque" | "cylinder_force" | "self_rise" | "self_close" | "best_F1" | "path_error" | "near_error", "min_transmission_angle" | "link_ratio" | "size" | "structural_error" | "link_angle" | "stroke" | "deviation" | "velocity_uniformity" | "tolerance_error" | "yield" | "hand_force" | "hold_open" | "pin_force" | "torque" | "cylinder_force" | "self_rise" | "self_close" | "best_F1" | "path_error" | "near_error"] | null;
   /** How many linkages the result lists. */
   best?: number;
   /** Straight lines: half the width of the strip in which the usable length counts; null: 1/10 000 of the longest link or arm. */

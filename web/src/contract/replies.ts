@@ -119,7 +119,7 @@ export interface TaskReply {
   /** As used, the defaults filled in (null: switched off). */
   requirements: Requirements;
 }
-export const requirement_keys = ["types","no_defects","min_transmission_angle_deg","max_link_ratio","max_length","min_length","ground_pivots_within","moving_pivots_within","min_link_angle_deg","max_link_angle_deg","fixed_axes_within","moving_axes_within","min_stroke","max_deviation","full_turn","max_path_error","max_tolerance_error","min_yield","max_open_force","max_close_force","min_hold_open","max_pin_force","max_torque"] as const;
+export const requirement_keys = ["types","no_defects","min_transmission_angle_deg","max_link_ratio","max_length","min_length","ground_pivots_within","moving_pivots_within","min_link_angle_deg","max_link_angle_deg","fixed_axes_within","moving_axes_within","min_stroke","max_deviation","full_turn","max_path_error","max_near_error","max_tolerance_error","min_yield","max_open_force","max_close_force","min_hold_open","max_pin_force","max_torque","max_cylinder_force","max_self_rise_deg","min_self_close_deg","max_best_F1"] as const;
 export type RequirementKey = (typeof requirement_keys)[number];
 export interface MissedBox {
   requirement: RequirementKey;
@@ -295,6 +295,10 @@ export interface LoadCurve {
   close: readonly (number | null)[];
   /** N·m, of the driving crank. */
   torque: readonly (number | null)[];
+  /** s from position 1, in motion. */
+  time: readonly (number | null)[];
+  /** N on the ground, in motion. */
+  shaking: readonly (number | null)[];
   /** N, the largest of the four while opening. */
   pin: readonly (number | null)[];
 }
@@ -394,11 +398,11 @@ export const state_width = state_columns.length;
 export const defect_bits = { order: 1, branch: 2, circuit: 4 } as const;
 /** What can be required, by kind and mechanism of the task: in this order are the bits of what a linkage or a cell fails (a degenerate cell has all set). */
 export const requirement_keys_of = {
-"motion four_bar": ["types", "no_defects", "min_transmission_angle_deg", "max_link_ratio", "max_length", "min_length", "ground_pivots_within", "moving_pivots_within", "max_tolerance_error", "min_yield", "max_open_force", "max_close_force", "min_hold_open", "max_pin_force", "max_torque"],
+"motion four_bar": ["types", "no_defects", "min_transmission_angle_deg", "max_link_ratio", "max_length", "min_length", "ground_pivots_within", "moving_pivots_within", "max_tolerance_error", "min_yield", "max_open_force", "max_close_force", "min_hold_open", "max_pin_force", "max_torque", "max_cylinder_force", "max_self_rise_deg", "min_self_close_deg", "max_best_F1"],
 "function four_bar": ["types", "no_defects", "min_transmission_angle_deg", "max_link_ratio", "max_length", "min_length", "ground_pivots_within", "moving_pivots_within", "max_tolerance_error", "min_yield"],
 "motion six_bar": ["types", "no_defects", "min_transmission_angle_deg", "max_link_ratio", "max_length", "min_length", "ground_pivots_within", "moving_pivots_within", "max_tolerance_error", "min_yield"],
 "motion spherical_four_bar": ["types", "no_defects", "min_transmission_angle_deg", "min_link_angle_deg", "max_link_angle_deg", "fixed_axes_within", "moving_axes_within", "max_tolerance_error", "min_yield"],
 "function spherical_four_bar": ["types", "no_defects", "min_transmission_angle_deg", "min_link_angle_deg", "max_link_angle_deg", "fixed_axes_within", "moving_axes_within", "max_tolerance_error", "min_yield"],
 "straight_line four_bar": ["types", "min_transmission_angle_deg", "max_link_ratio", "max_length", "ground_pivots_within", "moving_pivots_within", "min_stroke", "max_deviation", "max_tolerance_error", "min_yield"],
-"path four_bar": ["types", "no_defects", "min_transmission_angle_deg", "max_link_ratio", "max_length", "min_length", "ground_pivots_within", "moving_pivots_within", "full_turn", "max_tolerance_error", "min_yield", "max_open_force", "max_close_force", "min_hold_open", "max_pin_force", "max_torque", "max_path_error"],
+"path four_bar": ["types", "no_defects", "min_transmission_angle_deg", "max_link_ratio", "max_length", "min_length", "ground_pivots_within", "moving_pivots_within", "full_turn", "max_tolerance_error", "min_yield", "max_open_force", "max_close_force", "min_hold_open", "max_pin_force", "max_torque", "max_cylinder_force", "max_self_rise_deg", "min_self_close_deg", "max_best_F1", "max_path_error"],
 } as const satisfies Record<string, readonly RequirementKey[]>;

@@ -328,7 +328,7 @@ export interface NearPoses {
   /** Where the linkage is nearest to each pose, in their order. */
   at: readonly NearestToPose[];
 }
-export const requirement_keys = ["types","no_defects","min_transmission_angle_deg","max_link_ratio","max_length","min_length","ground_pivots_within","moving_pivots_within","min_link_angle_deg","max_link_angle_deg","fixed_axes_within","moving_axes_within","min_stroke","max_deviation","full_turn","max_path_error","max_near_error","max_tolerance_error","min_yield","max_open_force","max_close_force","min_hold_open","max_pin_force","max_torque"] as const;
+export const requirement_keys = ["types","no_defects","min_transmission_angle_deg","max_link_ratio","max_length","min_length","ground_pivots_within","moving_pivots_within","min_link_angle_deg","max_link_angle_deg","fixed_axes_within","moving_axes_within","min_stroke","max_deviation","full_turn","max_path_error","max_near_error","max_tolerance_error","min_yield","max_open_force","max_close_force","min_hold_open","max_pin_force","max_torque","max_cylinder_force","max_self_rise_deg","min_self_close_deg","max_best_F1"] as const;
 export type RequirementKey = (typeof requirement_keys)[number];
 export interface Sensitivity {
   parameter: string;
@@ -389,15 +389,15 @@ export interface RestBand {
   from: LoadPlace;
   to: LoadPlace;
 }
-export interface PinPeak {
+export interface ForcePeak {
   max: number;
   at: LoadPlace;
 }
 export interface PinPeaks {
-  input_ground: PinPeak | null;
-  input_coupler: PinPeak | null;
-  output_coupler: PinPeak | null;
-  output_ground: PinPeak | null;
+  input_ground: ForcePeak | null;
+  input_coupler: ForcePeak | null;
+  output_coupler: ForcePeak | null;
+  output_ground: ForcePeak | null;
 }
 export interface SpringUse {
   name: string;
@@ -426,6 +426,8 @@ export interface LoadCaseReport {
   /** Where friction holds it. */
   rests: readonly RestBand[];
   pins: PinPeaks;
+  /** Largest force of the moving links on the ground, in motion. */
+  shaking?: ForcePeak;
   /** Of the driving crank, N·m; null: another drive. */
   max_torque: number | null;
   cylinder_force: number | null;

@@ -187,6 +187,7 @@ export function linkage_of(
       : null,
     function: function_of(record, reply),
     fails,
+    ...(record?.near ? {near: record.near} : {}),
     ...of_kind(reply),
     drive: travel && (drive as Omit<NonNullable<Linkage["drive"]>, "states">),
   };
