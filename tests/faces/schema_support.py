@@ -176,6 +176,10 @@ def problems_with_everything():
         {"kind": "path", "mechanism": "four_bar", "closed": True, "tolerance": 3, "between": "free", "map": "pivots", "points": [
             {"x": x, "y": y, "weight": 1, "tolerance": 2, "derivatives": []} for x, y in near]},
         {"fit": {"effort": "quick", "measure": "least_squares", "grashof_margin": 0.003}}, requirements={"max_path_error": 5})
+    near_poses = [{"x": x, "y": y, "theta_deg": theta, "near": True, "weight": 1, "tolerance": {"position": 5, "angle_deg": 2}}
+                  for x, y, theta in ((0, 0, 0), (-60, 25, -11), (-125, 75, -25), (-178, 145, -39), (-220, 220, -52), (-240, 300, -63))]
+    yield "near poses", problem({"kind": "motion", "mechanism": "four_bar", "poses": near_poses, "turning_length": 200},
+                                {"fit": {"effort": "quick", "measure": "least_squares"}}, requirements={"max_near_error": 50})
     yield "timed about a pivot", problem({"kind": "path", "mechanism": "four_bar", "points": timed,
                                           "given": {"ground_pivots": {"input": [40, 0]}}})
     chain = task_of("loader_bucket_chain")

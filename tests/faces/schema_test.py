@@ -56,6 +56,9 @@ BEYOND_SCHEMA = {"repeated_pose", "repeated_pose_a_turn_later", "transmission_an
                  "loads_motion_without_unit", "loads_free_upside_down", "loads_free_without_case",
                  "loads_free_without_hand", "loads_two_free_springs", "fit_of_exact_path", "near_path_of_one_place",
                  "near_path_of_two_places", "near_path_without_weight", "path_error_of_motion", "near_path_pivot_at_a_point", "near_path_pivots_at_one_place",
+                 "near_beside_six_exact", "near_error_without_near", "near_fit_of_region", "near_fitted_with_derivatives",
+                 "near_fitted_with_margin", "near_fitted_with_pivot_on", "near_repeated_exact", "near_two_different_poses",
+                 "near_weights_zero",
                  "timed_path_that_turns_back", "timed_path_with_equal_angles", "timed_path_of_more_than_a_turn", "timed_path_closed_by_its_first_point",
                  "timed_path_of_one_place", "timed_path_without_weight"}
 
