@@ -23,7 +23,7 @@ void check_turning_length(const MotionTask& task, std::vector<Error>& found) {
                      "a turning length weighs errors of near poses, and none is near; leave it out, or mark poses "
                      "\"near\": true"});
   else if (!(*task.turning_length > 0 && *task.turning_length <= largest_coordinate))
-    found.push_back({"turning_length_range", "task.turning_length",
+    found.push_back({"near_turning_length", "task.turning_length",
                      "a turning length is a length above 0; leave it out to have the characteristic length"});
 }
 
@@ -44,7 +44,7 @@ void check_one(const MotionTask& task, std::size_t k, std::vector<Error>& found)
     found.push_back({"near_tolerance", place + ".tolerance.position",
                      "a tolerance is a length above 0; leave it out where there is none"});
   if (is_angle)
-    found.push_back({"near_tolerance", place + ".tolerance.angle_deg",
+    found.push_back({"near_angle_tolerance", place + ".tolerance.angle_deg",
                      "a tolerance is an angle above 0; leave it out where there is none"});
   if (is_empty)
     found.push_back({"near_tolerance_empty", place + ".tolerance",

@@ -76,6 +76,10 @@ RequirementKinds most_requirements() {
   return linkages(linkwright::Task(Task{})).requirements;
 }
 template <>
+RequirementKinds most_requirements<MotionTask>() {
+  return near_motion_linkages.requirements;
+}
+template <>
 RequirementKinds most_requirements<PathTask>() {
   return near_path_linkages.requirements;
 }

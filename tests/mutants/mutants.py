@@ -145,9 +145,9 @@ STATICS = [
     ("torsion spring between input and coupler", "return of(Link::coupler) - of(Link::input);", "return of(Link::coupler) + of(Link::input);"),
     ("joint's other link left alone", "all.add_moment(links.other, -moment);", ";"),
     ("acceleration towards the outside", "arm_of_point * Point{-first * first, second}", "arm_of_point * Point{first * first, second}"),
-    ("acceleration of the coupler's pivot", "? own - arm(place.bars, Link::input) : own", "? own + arm(place.bars, Link::input) : own"),
+    ("acceleration of the coupler's pivot", "by_square -= arm(place.bars, Link::input)", "by_square += arm(place.bars, Link::input)"),
     ("second rate of the coupler", "dot(r, beta) / dot(quarter_turn * h, beta), -dot", "-dot(r, beta) / dot(quarter_turn * h, beta), -dot"),
-    ("inertia about the centre", "-mass.inertia * square", "mass.inertia * square"),
+    ("inertia about the centre", "-mass.inertia * turning", "mass.inertia * turning"),
     ("body turned the other way", "direction(body_.angle) * point.at - first_.input_moving)", "direction(-body_.angle) * point.at - first_.input_moving)"),
     ("moment of the coupler at the input's pivot", "Row{arm(place.bars, Link::coupler), -all.moment[1]}", "Row{arm(place.bars, Link::coupler), all.moment[1]}"),
     ("force of the coupler on the input", "-cross(alpha, all.force[1]) - all.moment[0]}", "cross(alpha, all.force[1]) - all.moment[0]}"),
@@ -173,7 +173,7 @@ TIMED_FIT = [
     ("coupler does not carry the point", "rows[i] += state.coupler_row[i] * by_u", "rows[i] -= state.coupler_row[i] * by_u"),
     ("crank against its sense", "product(start_.datum, direction_of_turn(by[datum_at]))",
      "product(start_.datum, std::conj(direction_of_turn(by[datum_at])))"),
-    ("one coordinate left out", "equations_.add(y, off.imag()", "equations_.add(y, off.real()"),
+    ("one coordinate left out", "TimedRow{y, off.imag()}", "TimedRow{y, off.real()}"),
 ]
 
 STRAIGHT_LINE_CHECK = ["tests/mutants/straight_line_check.cpp", "tests/support/straight_line_tasks.cpp",

@@ -235,8 +235,11 @@ void check_order_by_loads(const json& options, const json& linkages, Wrongs& wro
   }
 }
 
-/// Torques rise there and fall again between two stations.
-bool is_by_dead_point(const json& entry) { return entry.value("min_transmission_angle_deg", 90.0) < 1; }
+/// Torques rise there and fall again between two stations; or it has a defect.
+bool is_by_dead_point(const json& entry) {
+  const json angle = entry.value("min_transmission_angle_deg", json(90.0));
+  return angle.is_null() || angle.get<double>() < 1;
+}
 
 /// It has been, from the first position to the last.
 bool is_driven(const json& entry) { return entry["drive"].is_string() && entry["verified_by_driving"].get<bool>(); }

@@ -73,10 +73,11 @@ describe("a session", () => {
   /** From starts that the last digit sorts: which paths follow the nearest, it decides, and hardly how near that is. */
   const is_searched = (calls: Call[]) =>
     calls.some(([, , reply]) => JSON.stringify((reply as any)?.task ?? "").includes("fitted_curve"));
+  const error_of = ({fit, near}: any): number => fit?.error.rms_over_diagonal ?? near.error.rms;
   const nearest_of = (calls: Call[], replies: unknown[]) =>
     calls.flatMap(([method], i) =>
-      method === "best" ? JSON.parse(replies[i] as string).linkages[0].record.fit.error.rms_over_diagonal : [],
-    ) as number[];
+      method === "best" ? error_of(JSON.parse(replies[i] as string).linkages[0].record) : [],
+    );
 
   it.each(Object.keys(twin.sessions))("says of %s what the native one says", (name) => {
     const calls = twin.sessions[name]!;

@@ -398,7 +398,7 @@ export const state_width = state_columns.length;
 export const defect_bits = { order: 1, branch: 2, circuit: 4 } as const;
 /** What can be required, by kind and mechanism of the task: in this order are the bits of what a linkage or a cell fails (a degenerate cell has all set). */
 export const requirement_keys_of = {
-"motion four_bar": ["types", "no_defects", "min_transmission_angle_deg", "max_link_ratio", "max_length", "min_length", "ground_pivots_within", "moving_pivots_within", "max_tolerance_error", "min_yield", "max_open_force", "max_close_force", "min_hold_open", "max_pin_force", "max_torque", "max_cylinder_force", "max_self_rise_deg", "min_self_close_deg", "max_best_F1"],
+"motion four_bar": ["types", "no_defects", "min_transmission_angle_deg", "max_link_ratio", "max_length", "min_length", "ground_pivots_within", "moving_pivots_within", "max_tolerance_error", "min_yield", "max_open_force", "max_close_force", "min_hold_open", "max_pin_force", "max_torque", "max_cylinder_force", "max_self_rise_deg", "min_self_close_deg", "max_best_F1", "max_near_error"],
 "function four_bar": ["types", "no_defects", "min_transmission_angle_deg", "max_link_ratio", "max_length", "min_length", "ground_pivots_within", "moving_pivots_within", "max_tolerance_error", "min_yield"],
 "motion six_bar": ["types", "no_defects", "min_transmission_angle_deg", "max_link_ratio", "max_length", "min_length", "ground_pivots_within", "moving_pivots_within", "max_tolerance_error", "min_yield"],
 "motion spherical_four_bar": ["types", "no_defects", "min_transmission_angle_deg", "min_link_angle_deg", "max_link_angle_deg", "fixed_axes_within", "moving_axes_within", "max_tolerance_error", "min_yield"],

@@ -144,10 +144,9 @@ export function types_of(task: Task): readonly LinkageType[] {
 /** What can be required of a linkage of this task: a requirement's place among them is its bit. */
 export function requirements_of(task: Task): readonly RequirementKey[] {
   const of_engine: Readonly<Record<string, readonly RequirementKey[]>> = requirement_keys_of;
-  return (
-    of_engine[`${task.kind} ${task.mechanism}`] ??
-    (Object.keys(criteria_of(kind_of(task)).requirements) as RequirementKey[])
-  );
+  const known = criteria_of(kind_of(task)).requirements,
+    of_kind = of_engine[`${task.kind} ${task.mechanism}`] ?? (Object.keys(known) as RequirementKey[]);
+  return of_kind.filter((key) => known[key]?.is_of?.(task) ?? true); // what not all tasks have comes last
 }
 export function requirement_bit(task: Task, key: RequirementKey): number {
   const place = requirements_of(task).indexOf(key);

@@ -268,6 +268,10 @@ const texts = [...files, ...Object.entries(further).map(([name, text]) => ({name
 /** Sentences that no text provokes: what JSON cannot say or a reader catches, and what the page finds itself. */
 const unprovoked = [
   "too_many_near_points",
+  "too_many_near_poses",
+  "too_many_path_points",
+  "motion_pose_count",
+  "pose_count",
   "not_available",
   "limits_finite",
   "axis_finite",

@@ -162,7 +162,7 @@ export function with_motion(loads: Loads, law: ReturnType<typeof motion_of>): Lo
 function motion_lines(loads: Loads): NumberLine[] {
   const {motion} = loads;
   if (!motion || !("law" in motion)) return [];
-  const put = (change: object): Loads => ({...loads, motion: {...motion, ...change}});
+  const put = (change: object): Loads => ({...loads, motion: changed(motion, change)});
   const duration: NumberLine = {
     key: "law_duration",
     name: t("loads.law_duration"),

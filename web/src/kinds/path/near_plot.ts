@@ -21,7 +21,7 @@ export interface Plot {
 }
 
 export function plot_of(fit: PathFit, {tolerance}: Pick<PathTask, "tolerance">, width: number, height: number): Plot {
-  const most = Math.max(...fit.at.map(({distance}) => distance)),
+  const most = fit.at.reduce((largest, {distance}) => Math.max(largest, distance), 0),
     room = 1.15,
     reach = tolerance !== undefined && tolerance < 3 * most ? Math.max(most, tolerance) : most,
     top = reach > 0 ? room * reach : 1,
