@@ -67,7 +67,7 @@ class Manual(unittest.TestCase):
     def test_a_page_says_what_an_option_takes_and_needs(self):
         page = self.page(("analyze",)).decode().replace("\\-", "-")
         self.assertIn("\\fB--drive\\fR \\fI{input,output}\\fR\nWhich grounded link drives", page)
-        self.assertIn("Draw the instant to this SVG file (with --instant)", page)
+        self.assertIn("Draw the instant, or what is compared, to this SVG file", page)
 
     def test_commands_are_completed(self):
         self.assertEqual(self.completions("s"), ["solve", "sweep", "studio"])

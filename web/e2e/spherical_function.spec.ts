@@ -98,6 +98,6 @@ test("in place of a universal joint: shafts and scales are dragged, the map is p
   await page.setViewportSize({width: 390, height: 844});
   await expect(page.getByTestId("region.ribbon")).toBeInViewport();
   await expect(page.getByTestId("spherical.stage")).toBeInViewport();
-  expect(await page.evaluate(() => document.documentElement.scrollWidth)).toBeLessThanOrEqual(390);
+  await expect.poll(() => page.evaluate(() => document.documentElement.scrollWidth)).toBeLessThanOrEqual(390);
   await keep_screenshot(page, "spherical-function-phone");
 });
