@@ -60,6 +60,8 @@ def fit_path(
     between: str | None = None,
     input_deg: Any = None,
     timing: str | None = None,
+    ground_pivots: Mapping[str, Sequence[float]] | None = None,
+    map: str | None = None,
     weights: Any = None,
     requirements: Mapping[str, Any] | None = None,
     effort: str = "standard",
@@ -82,7 +84,7 @@ def fit_path(
         points: n × 2, in the order in which they are passed, 3 to 1000; user's unit.
         input_deg: the crank's angle at each point, degrees, rising or falling within a turn; the distances then are those at
             these angles. None: whatever the timing.
-        closed, tolerance, between, timing: as :class:`PathTask` has them.
+        closed, tolerance, between, timing, ground_pivots, map: as :class:`PathTask` has them.
         weights: one to each point, of the squared distances.
         requirements: as in problem files.
         effort: ``"quick"``, ``"standard"`` or ``"deep"``: how many places and starts are tried.
@@ -99,7 +101,7 @@ def fit_path(
     places = [(float(x), float(y)) for x, y in points]
 
     def to_each(values: Any, what: str) -> Sequence[float | None]:
-        given = [None] * len(places) if values is None else [float(value) for value in values]
+        given: list[float | None] = [None] * len(places) if values is None else [float(value) for value in values]
         if len(given) != len(places):
             raise ValueError(f"{len(given)} {what} are given for {len(places)} points")
         return given
@@ -108,7 +110,7 @@ def fit_path(
     path = [PathPoint(x, y, input_deg=angle, weight=weight) for (x, y), angle, weight in given]
     if between is None and timing is None:
         between, timing = ("free", None) if input_deg is None else (None, "relative")
-    task = PathTask(path, closed=closed, tolerance=tolerance, between=between, timing=timing)
+    task = PathTask(path, ground_pivots, closed, tolerance, between, timing, map)
     options = {"fit": {"effort": effort, "measure": measure}, "best": best}
     problem = Problem(task, requirements=requirements, options=options, length_unit=length_unit)
     return solve(problem, progress=progress, cancellation=cancellation)

@@ -158,8 +158,10 @@ class PathTask:
         between: it passes near its points, and between them is ``"free"`` or keeps to the ``"polyline"``.
         timing: it passes near its points, and the angles of the crank do not count, ``"free"``, count as turns from any datum
             and in either sense, ``"relative"``, or from the x axis, ``"absolute"``; None: relative where all points have one.
+        map: it passes near its points: the solution region is of the ``"curves"`` that were found, or of the places of the input's
+            ground pivot, each with the nearest path from there, ``"pivots"``.
 
-    Three to 1000 points are passed near where one of the last four, a tolerance or a weight is given, or where they are
+    Three to 1000 points are passed near where one of the last five, a tolerance or a weight is given, or where they are
     more than five, all with an angle of the crank or none, and nothing else is.
     """
 
@@ -169,12 +171,14 @@ class PathTask:
     tolerance: float | None = None
     between: str | None = None
     timing: str | None = None
+    map: str | None = None
 
     def to_dict(self) -> dict[str, Any]:
         points = [point if isinstance(point, (PathPoint, Mapping)) else _path_point(point) for point in self.points]
         given = None if self.ground_pivots is None else {"ground_pivots": self.ground_pivots}
         task = {"kind": "path", "mechanism": "four_bar", "points": points, "given": given}
         near = {"closed": self.closed or None, "tolerance": self.tolerance, "between": self.between, "timing": self.timing}
+        near |= {"map": self.map}
         return _without_empty({**task, **near})
 
 
