@@ -389,9 +389,9 @@ void check_linkages(const Problem& problem, const json& result, Wrongs& wrongs) 
 /// By the objective, best first; those with defects have no transmission angle.
 void check_order(const json& result, Wrongs& wrongs) {
   const std::string objective = result["problem"]["options"].value("objective", "min_transmission_angle");
-  const std::set<std::string> of_analyses = {"tolerance_error", "yield",     "hand_force",
-                                             "hold_open",       "pin_force", "torque",    "cylinder_force",
-                                             "self_rise",       "self_close", "best_F1",  "near_error"};
+  const std::set<std::string> of_analyses = {"tolerance_error", "yield",   "hand_force",     "hold_open",
+                                             "pin_force",       "torque",  "cylinder_force", "self_rise",
+                                             "self_close",      "best_F1", "near_error"};
   if (of_analyses.contains(objective) || result.contains("pareto")) return;
   std::optional<double> before;
   for (const json& entry : result["linkages"]) {
