@@ -105,3 +105,34 @@ test("three positions: a length is dragged as a ring, the instant centre as a cr
   await until_settled(page);
   expect(await given(page)).toEqual({ground_pivots: {input: [120, 340], output: [200, 340]}});
 });
+
+test("eight poses drawn by hand: four exact with the others measured, then all near, within a tolerance, and back", async ({
+  page,
+}) => {
+  await open_workbench(page);
+  await open_example(page, "hatch_by_hand");
+  const axes = () => read_state(page, ({task}) => task!.axes.input.quantity);
+  const miss = async (): Promise<number> => (await hand(page)).near!.error.rms;
+  expect(await axes()).toBe("curve_coordinate");
+  expect(await page.getByTestId("near.misses").locator("li").count()).toBe(4);
+  const measured = await miss();
+  expect(measured).toBeGreaterThan(0);
+  await keep_screenshot(page, "near_poses");
+
+  for (const exact of [1, 3, 5, 8]) await page.getByTestId(`near.${exact}`).click();
+  await until_settled(page);
+  expect(await axes()).toBe("fitted_curve");
+  expect(await page.getByTestId("near.misses").locator("li").count()).toBe(8);
+  expect(await miss()).toBeLessThan(measured);
+  await page.getByTestId("near.position").fill("100");
+  await page.keyboard.press("Enter");
+  await until_settled(page);
+  await expect(page.getByTestId("near.miss.4")).not.toHaveClass(/warn/);
+  await expect(page.getByTestId("num.dxf")).toBeEnabled();
+  await keep_screenshot(page, "near_poses-all");
+  for (let steps = 0; steps < 8 && (await axes()) !== "curve_coordinate"; ++steps) {
+    await page.keyboard.press("Control+z");
+    await until_settled(page);
+  }
+  expect(await miss()).toBeCloseTo(measured, 6);
+});
