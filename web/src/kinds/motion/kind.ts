@@ -170,7 +170,7 @@ export const motion_kind: TaskKind<MotionTask> = {
     is_fitted(task)
       ? Math.min(task.poses.length, most_stops)
       : served_poses({...task, poses: exact_poses(task)}).length,
-  pattern: ({poses}) => pattern_of(poses),
+  pattern: (task) => pattern_of(exact_poses(task)), // it counts positions that are passed
   is_mixed: ({poses}) => poses.some((pose) => pose.derivatives?.length),
   anchors: ({poses}) => poses.map((pose): Point => [pose.x, pose.y]),
   default_max_length,
