@@ -74,7 +74,7 @@ TEST(NearPoses, TellWhatDoesNotGoWithThem) {
   task.near[1].tolerance = NearPose::Tolerance{0.0, {}};
   EXPECT_EQ(codes(task), "near_tolerance@task.poses[3].tolerance.position");
   task.near[1].tolerance = NearPose::Tolerance{{}, -0.1};
-  EXPECT_EQ(codes(task), "near_tolerance@task.poses[3].tolerance.angle_deg");
+  EXPECT_EQ(codes(task), "near_angle_tolerance@task.poses[3].tolerance.angle_deg");
   task.near[1].tolerance = NearPose::Tolerance{};
   EXPECT_EQ(codes(task), "near_tolerance_empty@task.poses[3].tolerance");
   task = tailgate();
@@ -85,7 +85,7 @@ TEST(NearPoses, TellWhatDoesNotGoWithThem) {
   EXPECT_EQ(codes(task), "no_near_weight@task.poses");
   task = tailgate();
   task.turning_length = 0;
-  EXPECT_EQ(codes(task), "turning_length_range@task.turning_length");
+  EXPECT_EQ(codes(task), "near_turning_length@task.turning_length");
   task = tailgate();
   task.near.clear();
   EXPECT_EQ(codes(task), "unneeded_turning_length@task.turning_length");
