@@ -251,6 +251,24 @@ NearestTarget timed_target(const PathTask& task) {
 
 }  // namespace
 
+CurveError NearestTarget::error_of(const CurveFit& fit) const {
+  CurveError error = fit.error;
+  error.sum_of_squares = error.max = 0;
+  double weights = 0;
+  for (std::size_t j = 0; j < fit.states.size(); ++j) {
+    if (point[j] == between) continue;
+    const double weight = target.weights[j], distance = fit.states[j].distance;
+    weights += weight;
+    error.sum_of_squares += weight * distance * distance;
+    if (!(weight > 0 && distance >= error.max)) continue;
+    error.max = distance;
+    error.max_at = point[j];
+  }
+  error.rms = std::sqrt(error.sum_of_squares / weights);
+  error.rms_over_diagonal = error.rms / target.diagonal();
+  return error;
+}
+
 NearestTarget nearest_target(const PathTask& task) {
   NearestTarget near;
   near.target.closed = task.closed;

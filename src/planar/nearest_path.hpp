@@ -27,6 +27,9 @@ struct NearestTarget {
   GroundPivots pivots;                ///< that are given
   std::vector<Notice> warnings;       ///< points that were left out: equal neighbours, a closed path's first at its end
 
+  /// Of a fit of the target, by the points of the task alone; its max_at is one of them.
+  [[nodiscard]] CurveError error_of(const CurveFit& fit) const;
+
   /// Of the task, those left out not counted.
   [[nodiscard]] std::size_t point_count() const {
     return point.size() - static_cast<std::size_t>(std::count(point.begin(), point.end(), between));

@@ -60,25 +60,21 @@ std::optional<FittedPathFamily::Traced> PivotPathFamily::traced_at(MapPoint plac
   };
   const std::pair key{place.input, place.output};
   {
-    const std::lock_guard lock(recent_->using_it);
-    if (const auto known = recent_->fits.find(key); known != recent_->fits.end()) return answer(known->second);
+    const std::lock_guard lock(recent_.using_it);
+    if (const auto known = recent_.fits.find(key); known != recent_.fits.end()) return answer(known->second);
   }
   const auto found = fits_->at(pivot);
   const auto fit = found ? std::make_shared<const CurveFit>(*found) : nullptr;
-  const std::lock_guard lock(recent_->using_it);
-  if (recent_->fits.emplace(key, fit).second) {
-    if (recent_->order.size() < most_kept) {
-      recent_->order.push_back(key);
+  const std::lock_guard lock(recent_.using_it);
+  if (recent_.fits.emplace(key, fit).second) {
+    if (recent_.order.size() < most_kept) {
+      recent_.order.push_back(key);
     } else {
-      recent_->fits.erase(std::exchange(recent_->order[recent_->next], key));
-      recent_->next = (recent_->next + 1) % most_kept;
+      recent_.fits.erase(std::exchange(recent_.order[recent_.next], key));
+      recent_.next = (recent_.next + 1) % most_kept;
     }
   }
   return answer(fit);
-}
-
-double PivotPathFamily::distance(const Pivots& one, const Pivots& other) const {
-  return PathFamily::distance(one, other);
 }
 
 }  // namespace linkwright

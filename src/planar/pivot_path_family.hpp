@@ -30,7 +30,6 @@ class PivotPathFamily : public FittedPathFamily {
   [[nodiscard]] bool cells_take_long() const override { return true; }
   /// As many as most_samples_over_pivots.
   [[nodiscard]] std::vector<double> samples(Side side, int count, Spacing spacing) const override;
-  [[nodiscard]] double distance(const Pivots& one, const Pivots& other) const override;
 
  private:
   [[nodiscard]] std::optional<Traced> traced_at(MapPoint place) const override;
@@ -47,7 +46,7 @@ class PivotPathFamily : public FittedPathFamily {
     std::vector<std::pair<double, double>> order;  ///< a ring
     std::size_t next = 0;
   };
-  std::unique_ptr<Recent> recent_ = std::make_unique<Recent>();
+  mutable Recent recent_;
 };
 
 }  // namespace linkwright
