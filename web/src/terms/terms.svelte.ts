@@ -32,6 +32,10 @@ class Terms {
     clearTimeout(this.waiting);
     if (this.owner === owner) this.close();
   }
+  /** What scrolls away with a word closes it; a list that scrolls elsewhere does not. */
+  scrolled(what: EventTarget | null): void {
+    if (this.owner && what instanceof Node && what.contains(this.owner)) this.owner = this.open = null;
+  }
   close(): void {
     clearTimeout(this.waiting);
     this.owner = this.open = null;
