@@ -2,6 +2,7 @@
 #include <cmath>
 
 #include "linkwright/core/angle.hpp"
+#include "linkwright/mechanism/coupler_curve.hpp"
 #include "linkwright/planar/chain_family.hpp"
 #include "replies.hpp"
 #include "reply_fields.hpp"
@@ -9,7 +10,22 @@
 namespace linkwright::wasm {
 namespace {
 
-RankedLinkage ranked(const FourBarAnswer& answer, const FourBarSolution& found) { return {answer.point_of(found)}; }
+std::optional<double> near_error(const FourBarAnswer& answer, const FourBarSolution& found) {
+  if (found.near) return found.near->error.rms;
+  if (!found.fit) return std::nullopt;
+  const CurveError& error = found.fit->error;
+  return answer.options.fit.measure == FitMeasure::least_largest ? error.max : error.rms;
+}
+
+RankedLinkage ranked(const FourBarAnswer& answer, const FourBarSolution& found) {
+  constexpr int samples = 49;
+  RankedLinkage ranked{answer.point_of(found)};
+  ranked.near_error = near_error(answer, found);
+  if (found.path)
+    for (const MotionState& state : motion_cycle(found.four_bar, found.path->point, samples))
+      ranked.path.push_back(state.coupler_point);
+  return ranked;
+}
 
 RankedLinkage ranked(const SphericalAnswer& answer, const SphericalSolution& found) {
   RankedLinkage ranked{answer.point_of(found)};

@@ -136,11 +136,15 @@ std::string report(const std::string& of, const std::string& text) {
   if (of == "instant") return instant_reply(text);
   return of == "outlines" ? outlines_reply(text) : attitude_reply(of, text);
 }
+std::string search_fits(const std::string& text, const val& tell) {
+  return fit_search_reply(text, {[&](double done) { tell(done); }});
+}
 std::string version() { return LINKWRIGHT_VERSION; }
 
 EMSCRIPTEN_BINDINGS(linkwright) {
   emscripten::function("version", &version);
   emscripten::function("report", &report);
+  emscripten::function("search_fits", &search_fits);
   emscripten::value_object<WantedSizes>("WantedSizes")
       .field("width", &WantedSizes::width)
       .field("thickness", &WantedSizes::thickness)

@@ -156,6 +156,10 @@ void fields(FieldVisitor& v, const RankedLinkage& of) {
   v.object({.name = "ranked_reply"}, [&](FieldVisitor& to) {
     place_field(to, of.place);
     record_field(to, of.record, false);
+    to.shown_if_any(Field("near_error", "Of what is to come near points or poses: what is least of it."), of.near_error,
+                    forms::not_negative);
+    to.shown_if_any(Field("path", "Of its point, all round."), forms::where(!of.path.empty(), of.path),
+                    forms::on_a_line, forms::shown_point);
     to.shown_if_any("min_link_angle_deg", of.min_link_angle_deg);
     to.member(Field("chain", "Of six-bars.").absent(!of.chain), false, [&](FieldVisitor& at) {
       at.described_in("problem.schema.json#/$defs/chain", [&](FieldVisitor& in) { linkwright::fields(in, chain); });

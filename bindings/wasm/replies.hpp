@@ -95,6 +95,10 @@ struct ToleranceReply {
 [[nodiscard]] std::string stud_map_reply(const LinkageLoads& on, std::string_view boxes, Stud over, int columns,
                                          int rows);
 
+/// A longer search for the linkages of a problem file that come near its points or poses (FitEffort::deep):
+/// FitSearchReply, or {"mistakes"}. `progress` is told of it.
+[[nodiscard]] std::string fit_search_reply(std::string_view problem, const Progress& progress);
+
 /// A linkage as one builds it, to be looked at before it is made.
 struct MachineReply {
   std::string plan;                      ///< JSON text: a MachinePlan; or {"mistakes"}, and nothing else

@@ -119,6 +119,8 @@ void fields(FieldVisitor& v, const PlacedLinkage& of);
 struct RankedLinkage {
   MapPoint place;
   std::string record{};
+  std::optional<double> near_error{};  ///< where it is to come near: what is least of it, user's unit
+  std::vector<Point> path{};           ///< of its point, all round, to be drawn small; empty: it has none
   std::optional<double> min_link_angle_deg{};
   std::optional<ThreeLinkChain> chain{};  ///< of six-bars
   // Of straight lines:
@@ -141,6 +143,14 @@ struct VerifiedReply {
   Verification found;
 };
 void fields(FieldVisitor& v, const VerifiedReply& of);
+
+// ---- fits ---------------------------------------------------------------------------------------------------------
+
+struct FitSearchReply {
+  std::optional<double> usual_rms;  ///< by the problem's own effort
+  FitSearch search;
+};
+void fields(FieldVisitor& v, const FitSearchReply& of);
 
 // ---- tolerances ---------------------------------------------------------------------------------------------------
 

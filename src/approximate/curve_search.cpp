@@ -6,6 +6,7 @@
 #include <iterator>
 
 #include "approximate/fit_parts.hpp"
+#include "approximate/given_start.hpp"
 #include "approximate/limit_refit.hpp"
 #include "approximate/start_list.hpp"
 
@@ -27,6 +28,14 @@ class GivenPivots {
   /// Of the pairs scanned: on an output's pivot stands what is driven from elsewhere, and both pivots are of one
   /// four-bar.
   [[nodiscard]] std::string_view drivers() const { return !input_ ? "g" : output_ ? "e" : "eu"; }
+
+  /// Its fixed pivots are brought there; false where its loops do not close then.
+  [[nodiscard]] bool take(CurveStart& start) const {
+    if (input_) start.linkage.a0 = *input_;
+    if (output_) start.linkage.b0 = *output_;
+    return !any() || std::all_of(start.states.begin(), start.states.end(),
+                                 [&](LoopState& state) { return close_loop(start.linkage, state); });
+  }
 
   /// Those without a driver are also led away from their dead points: there are few starts at one place.
   void hold(std::vector<CurveStart>& starts) const {
@@ -72,10 +81,12 @@ class Search {
     improve_all(starts, coarse_, 150, 0.65, 0.85);
     keep_distinct(starts);
     spread(starts);
+    found.starts += add_given(starts);
     improve_all(starts, fine_, 60, 0.85, 0.95);
     creep(starts);
     keep_to_limits(starts);
     keep_distinct(starts);
+    add_as_given(fine_, to_begin_with_, starts);
     found.minima = std::move(starts);
     found.cancelled = progress_.is_cancelled();
     return found;
@@ -123,6 +134,25 @@ class Search {
     starts = std::move(kept);
   }
 
+  // Linkages that are given to begin with, on all points: held to the branch on which they lie, and not. Returns how
+  // many.
+  std::size_t add_given(std::vector<CurveStart>& starts) {
+    std::vector<CurveStart> given;
+    for (const TracingFourBar& linkage : options_.starts) {
+      const TracingFourBar scaled = target_.scaled_linkage(linkage);
+      if (!is_usable_start(scaled.bars) || !is_finite(scaled.point)) continue;
+      auto start = start_in_turn(coupler_linkage(scaled), loop_state(scaled), target_.points);
+      if (!start || !given_.take(*start)) continue;
+      given.push_back(kept_to_branch(*start));
+      given.push_back(*std::move(start));
+    }
+    given_.hold(given);
+    to_begin_with_ = given;
+    improve_all(given, fine_, 150, 0.85, 0.85);
+    std::move(given.begin(), given.end(), std::back_inserter(starts));
+    return given.size();
+  }
+
   // Near circles and straight lines least squares creep along flat valleys: the best get longer.
   void creep(std::vector<CurveStart>& starts) {
     std::size_t far = effort_.creeping, compact = effort_.creeping;
@@ -161,6 +191,7 @@ class Search {
   FitLimits limits_;
   GivenPivots given_;
   FitTask coarse_, fine_;
+  std::vector<CurveStart> to_begin_with_;
 };
 
 }  // namespace

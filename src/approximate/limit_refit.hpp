@@ -75,6 +75,18 @@ void refit_within_limits(const Task& task, Start& start) {
   evaluate(task, start);
 }
 
+/// What a search began with is kept as it is among what was found, where it keeps the limits on its branch: a fit that
+/// is led back to its limits may end a little beside them.
+template <class Task, class Start>
+void add_as_given(const Task& task, const std::vector<Start>& given, std::vector<Start>& minima) {
+  constexpr double kept = 1e-9;
+  for (Start start : given) {
+    slide_to_nearest(task, start);
+    evaluate(task, start);
+    if (start.branch != 0 && broken_share(task.limits, start) <= kept) minima.push_back(std::move(start));
+  }
+}
+
 template <class Task, class Start>
 [[nodiscard]] double largest_distance(const Task& task, const Start& start) {
   double largest = 0;

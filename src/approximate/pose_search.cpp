@@ -9,6 +9,7 @@
 
 #include "approximate/circuit_assignment.hpp"
 #include "approximate/fit_parts.hpp"
+#include "approximate/given_start.hpp"
 #include "approximate/limit_refit.hpp"
 #include "approximate/pose_pairs.hpp"
 
@@ -107,6 +108,7 @@ class PoseSearcher {
       : options_(options),
         progress_(progress),
         effort_(pose_search_effort(options.effort)),
+        frame_(frame),
         turning_length_(frame.turning_length),
         limits_(limits),
         coarse_(frame.scaled(target, chosen_poses(target, most_coarse))),
@@ -131,7 +133,11 @@ class PoseSearcher {
     keep_best(clean, effort_.kept);
     improve_all(clean, task_of(coarse_, coarse_weights_), 150, 0.7, 0.8);
     append(starts, std::move(clean));
+    const Starts given = given_starts();
+    found.starts += given.size();
+    append(starts, improved(given));
     found.minima = finished(std::move(starts));
+    add_as_given(task_of(fine_, fine_weights_), given, found.minima);
     found.cancelled = progress_.is_cancelled();
     return found;
   }
@@ -220,6 +226,38 @@ class PoseSearcher {
     const std::size_t strewn = effort_.strewn + (effort_.pairs - linkages.size()) / 2;
     for (std::size_t k = 0; k < strewn; ++k) linkages.push_back(strewn_linkage(coarse_.poses, k));
     return starts_from(linkages);
+  }
+
+  // Linkages that are given to begin with, on all poses: in turn on the branch on which they lie, and at the nearest
+  // states, held to the branch and not.
+  [[nodiscard]] Starts given_starts() const {
+    const PoseFitTask task = task_of(fine_, fine_weights_);
+    Starts starts;
+    for (const PoseFitStart& given : options_.starts) {
+      const FourBar bars = frame_.scaled(given.bars);
+      if (!is_usable_start(bars)) continue;
+      const BodyPose body = given.body ? frame_.scaled(*given.body) : fine_.poses.front();
+      const BodyLinkage linkage = body_linkage(bars, body);
+      const int branch = transmission_sine(linkage, body) < 0 ? -1 : 1;
+      if (auto start = in_turn(linkage, body, branch)) starts.push_back(*std::move(start));
+      BodyStart nearest{linkage, fine_.poses};
+      if (!close_states(task, nearest)) continue;
+      starts.push_back(nearest);
+      nearest.branch = branch;
+      starts.push_back(std::move(nearest));
+    }
+    return starts;
+  }
+
+  // Where they hold the body may not be known: their moving pivots are fitted first.
+  [[nodiscard]] Starts improved(Starts starts) const {
+    const PoseFitTask task = task_of(fine_, fine_weights_);
+    constexpr unsigned all_but_moving_pivots = 0b111111;
+    for (BodyStart& start : starts) start.held = all_but_moving_pivots;
+    improve_all(starts, task, 20, 0.8, 0.8);
+    for (BodyStart& start : starts) start.held = 0;
+    improve_all(starts, task, 150, 0.8, 0.8);
+    return starts;
   }
 
   void improve_all(Starts& starts, const PoseFitTask& task, int iterations, double from, double to) const {
@@ -311,6 +349,7 @@ class PoseSearcher {
   const PoseFitOptions& options_;
   const Progress& progress_;
   PoseSearchEffort effort_;
+  const PoseFrame& frame_;
   double turning_length_;
   FitLimits limits_;
   ScaledPoses coarse_, fine_;

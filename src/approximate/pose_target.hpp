@@ -29,6 +29,9 @@ struct PoseFrame {
   explicit PoseFrame(const PoseTarget& target);
   [[nodiscard]] Point scaled(Point user) const { return (user - centroid) / unit; }
   [[nodiscard]] BodyPose scaled(const Pose& user) const { return {scaled(user.origin), direction(user.angle)}; }
+  [[nodiscard]] FourBar scaled(const FourBar& user) const {
+    return {scaled(user.input_fixed), scaled(user.input_moving), scaled(user.output_fixed), scaled(user.output_moving)};
+  }
   [[nodiscard]] BodyLinkage in_user_frame(const BodyLinkage& l) const {
     return {centroid + unit * l.a0, centroid + unit * l.b0, unit * l.a, unit * l.b, unit * l.za, unit * l.zb};
   }

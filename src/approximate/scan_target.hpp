@@ -20,6 +20,12 @@ struct ScaledTarget {
   std::vector<std::size_t> chosen;
 
   [[nodiscard]] Point scaled(Point user) const { return (user - centroid) / radius; }
+  [[nodiscard]] TracingFourBar scaled_linkage(const TracingFourBar& user) const {
+    const FourBar& bars = user.bars;
+    return {
+        {scaled(bars.input_fixed), scaled(bars.input_moving), scaled(bars.output_fixed), scaled(bars.output_moving)},
+        scaled(user.point)};
+  }
   [[nodiscard]] Point in_user_frame(Point scaled) const { return centroid + radius * scaled; }
   [[nodiscard]] std::vector<Point> chosen_points() const;
   [[nodiscard]] std::vector<double> chosen_weights() const;

@@ -4,10 +4,11 @@
 #include <cmath>
 #include <functional>
 
+#include "approximate/fit_parts.hpp"
+#include "approximate/given_start.hpp"
 #include "approximate/limit_refit.hpp"
 #include "approximate/start_list.hpp"
 #include "approximate/timed_scan.hpp"
-#include "linkwright/core/parallel.hpp"
 
 namespace linkwright {
 namespace {
@@ -65,9 +66,11 @@ class TimedSearching {
     improve_all(starts, coarse_, 200, 0.65, 0.85);
     keep_different(starts, same_curve);
     spread(starts);
+    found.starts += add_given(starts);
     improve_all(starts, fine_, 100, 0.85, 0.95);
     keep_to_limits(starts);
     keep_different(starts, same_curve);
+    add_as_given(fine_, to_begin_with_, starts);
     found.minima = std::move(starts);
     found.cancelled = progress_.is_cancelled();
     return found;
@@ -75,14 +78,7 @@ class TimedSearching {
 
  private:
   void for_all(std::size_t count, double from, double to, const std::function<void(std::size_t)>& body) {
-    constexpr std::size_t parts = 8;
-    for (std::size_t part = 0; part < parts && !progress_.is_cancelled(); ++part) {
-      const std::size_t begin = count * part / parts, end = count * (part + 1) / parts;
-      parallel_for(end - begin, options_.threads, [&](std::size_t low, std::size_t high) {
-        for (std::size_t k = begin + low; k < begin + high && !progress_.is_cancelled(); ++k) body(k);
-      });
-      progress_(from + (to - from) * static_cast<double>(part + 1) / static_cast<double>(parts));
-    }
+    for_all_in_parts(count, options_.threads, progress_, from, to, body);
   }
 
   std::vector<TimedStart> starts_of_scan() {
@@ -156,6 +152,27 @@ class TimedSearching {
     std::erase_if(starts, [&](TimedStart& start) { return !place_states(fine_, start); });
   }
 
+  // Linkages that are given to begin with, in both senses of the input. Returns how many.
+  std::size_t add_given(std::vector<TimedStart>& starts) {
+    for (const TracingFourBar& linkage : options_.starts) {
+      const TracingFourBar scaled = target_.scaled_linkage(linkage);
+      if (!is_usable_start(scaled.bars) || !is_finite(scaled.point)) continue;
+      const LoopState first = loop_state(scaled);
+      TimedStart start;
+      start.linkage = coupler_linkage(scaled);
+      start.branch = cross(first.u, LoopGradient(start.linkage, first).g) < 0 ? -1 : 1;
+      if (timing_.absolute) start.held |= TimedStart::hold_datum;
+      for (const bool reversed : {false, true}) {
+        start.reversed = reversed;
+        start.states = {first};
+        if (!timing_.absolute) start.take_datum(fine_);
+        if (place_states(fine_, start)) to_begin_with_.push_back(start);
+      }
+    }
+    starts.insert(starts.end(), to_begin_with_.begin(), to_begin_with_.end());
+    return to_begin_with_.size();
+  }
+
   void keep_to_limits(std::vector<TimedStart>& starts) {
     constexpr std::size_t best = 12;
     for_all(starts.size(), 0.95, 1, [&](std::size_t k) {
@@ -174,6 +191,7 @@ class TimedSearching {
   std::vector<Point> turns_, chosen_points_, chosen_turns_;
   std::vector<double> chosen_weights_;
   TimedTask coarse_, fine_;
+  std::vector<TimedStart> to_begin_with_;
 };
 
 }  // namespace

@@ -33,6 +33,41 @@ static void fields(FieldVisitor& v, std::array<Objective, 2>& pareto) {
   visit(v, pareto, two, all_objectives());
 }
 
+namespace {
+
+/// A grounded link of a start.
+struct StartLink {
+  Point &center, &circle;
+};
+void fields(FieldVisitor& v, StartLink& link) {
+  v.object({.name = "start_link"}, [&](FieldVisitor& to) {
+    to.required("center_point", link.center, forms::point);
+    to.required("circle_point", link.circle, forms::point);
+  });
+}
+
+}  // namespace
+
+static void fields(FieldVisitor& v, Pose& pose) {
+  v.object({.name = "start_pose"}, [&](FieldVisitor& to) {
+    forms::coordinates(to, pose.origin);
+    to.required("theta_deg", pose.angle, forms::degrees);
+  });
+}
+
+void fields(FieldVisitor& v, FitStart& start) {
+  StartLink input{start.bars.input_fixed, start.bars.input_moving};
+  StartLink output{start.bars.output_fixed, start.bars.output_moving};
+  v.object({.name = "fit_start"}, [&](FieldVisitor& to) {
+    const Wanted link = {"side_link", "a grounded link {\"center_point\": [x, y], \"circle_point\": [x, y]}"};
+    to.required(Field("input").missing(link), input);
+    to.required(Field("output").missing(link), output);
+    to.given(Field("point", "Of a path: that of the coupler."), start.point, forms::point);
+    to.given(Field("pose", "Past poses: of the body that it carries; without it that is in the first of them."),
+             start.pose);
+  });
+}
+
 static void fields(FieldVisitor& v, FitWishes& fit) {
   const Names<FitEffort> efforts = {{FitEffort::quick, FitEffort::standard, FitEffort::deep}};
   const Names<FitMeasure> kinds = {{FitMeasure::least_squares, FitMeasure::least_largest}};
@@ -45,6 +80,11 @@ static void fields(FieldVisitor& v, FitWishes& fit) {
                       "together, at least, over the diagonal of the points; null: any linkage.")
                     .null_for_none(),
                 fit.grashof_margin, Number{.least = 0, .most = 1, .below = true});
+    to.optional(Field("starts",
+                      "Linkages to begin with beside those that are found, each as it lies at the first of the points "
+                      "or poses.")
+                    .written(!fit.starts.empty()),
+                fit.starts, List{.what = {"linkages", "a list of linkages"}, .most = FitWishes::most_starts});
   });
 }
 
@@ -117,7 +157,9 @@ void fields(FieldVisitor& v, OptionsOf& of) {
     to.optional(Field("best", "How many linkages the result lists."), options.best,
                 Whole{0, SynthesisOptions::max_best});
     of_lines(to, options.line, of.of_line);
-    to.optional(Field("fit", "Paths that pass near points.").written(options.fit != FitWishes{}), options.fit);
+    to.optional(Field("fit", "Paths that pass near points, and linkages that pass near poses.")
+                    .written(options.fit != FitWishes{}),
+                options.fit);
     of_searches(to, options);
     of_places(to, options);
     to.check([&] { return mistakes_in(options); });

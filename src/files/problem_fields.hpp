@@ -24,6 +24,7 @@ struct OptionsOf {
 };
 void fields(FieldVisitor& v, OptionsOf& options);
 
+void fields(FieldVisitor& v, FitStart& start);
 void fields(FieldVisitor& v, Box& box);
 void fields(FieldVisitor& v, Cone& cone);
 void fields(FieldVisitor& v, LineAtAngle& line);

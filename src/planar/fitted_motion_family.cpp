@@ -106,6 +106,7 @@ PoseFitOptions pose_options(const PoseTarget& target, const Requirements& requir
   fit.min_transmission_angle = fitted_transmission_angle(requirements);
   if (requirements.ground_pivots_within) fit.windows.ground = *requirements.ground_pivots_within;
   if (requirements.moving_pivots_within) fit.windows.moving = *requirements.moving_pivots_within;
+  for (const FitStart& start : wishes.starts) fit.starts.push_back({start.bars, start.pose});
   fit.threads = options.threads;
   return fit;
 }
@@ -199,6 +200,18 @@ TaskFamily family_of_near(const MotionTask& task, const Requirements& requiremen
   given.near_error = fitted_error_measure(family);
   given.family = family;
   return given;
+}
+
+FitSearch search_near(const MotionTask& task, const Requirements& requirements, const FitWishes& wishes,
+                      const RegionOptions& options, const Progress& progress) {
+  const NearPoses near(task);
+  const PoseTarget& target = near.target();
+  const Requirements limits = with_default_lengths(requirements, target.scale());
+  const PoseFits found = fit_poses(target, pose_options(target, limits, wishes, options), progress);
+  FitSearch search{{}, std::nullopt, found.counts.starts, found.counts.minima, found.cancelled};
+  for (const PoseFit& fit : found.fits) search.linkages.push_back({fit.bars, std::nullopt, fit.states.front().body});
+  if (!found.fits.empty()) search.rms = found.fits.front().error.rms;
+  return search;
 }
 
 }  // namespace linkwright

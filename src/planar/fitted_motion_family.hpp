@@ -50,5 +50,8 @@ class FittedMotionFamily : public FourBarFamily {
 [[nodiscard]] TaskFamily family_of_near(const MotionTask& task, const Requirements& requirements,
                                         const FitWishes& wishes, const RegionOptions& options,
                                         const Progress& progress = {});
+/// As search_fits(), of the same.
+[[nodiscard]] FitSearch search_near(const MotionTask& task, const Requirements& requirements, const FitWishes& wishes,
+                                    const RegionOptions& options, const Progress& progress);
 
 }  // namespace linkwright

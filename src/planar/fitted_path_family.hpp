@@ -70,5 +70,8 @@ class FittedPathFamily : public PathFamily {
 [[nodiscard]] TaskFamily family_of_nearest(const PathTask& task, const Requirements& requirements,
                                            const FitWishes& wishes, const RegionOptions& options,
                                            const Progress& progress = {});
+/// As search_fits(), of the same.
+[[nodiscard]] FitSearch search_nearest(const PathTask& task, const Requirements& requirements, const FitWishes& wishes,
+                                       const RegionOptions& options, const Progress& progress);
 
 }  // namespace linkwright

@@ -59,6 +59,8 @@ bool passes_all(const FourBar& bars, const std::vector<PrescribedPose>& poses, b
   return ccw || cw;
 }
 
+// Of many near poses the error takes longer than all else of a cell: maps then have that of linkages without defects
+// alone, and NaN elsewhere.
 class NearError : public CellMeasure {
  public:
   NearError(std::shared_ptr<const NearPoses> near, std::shared_ptr<const FourBarFamily> family)
@@ -71,7 +73,12 @@ class NearError : public CellMeasure {
     return [this, &map, pair_of = family_->dyad_pairs_of_cells(map.input_coordinates(), map.output_coordinates())](
                std::size_t row, std::span<float> values) {
       for (std::size_t column = 0; column < values.size(); ++column) {
-        const bool is_whole = map.type(map.index(row, column)) != LinkageType::degenerate;
+        const std::size_t cell = map.index(row, column);
+        if (is_of_many() && !map.defects(cell).none()) {
+          values[column] = std::numeric_limits<float>::quiet_NaN();
+          continue;
+        }
+        const bool is_whole = map.type(cell) != LinkageType::degenerate;
         const MapPoint place{map.input_coordinates()[row], map.output_coordinates()[column]};
         const auto error = is_whole ? error_of(place, pair_of(row, column)) : std::nullopt;
         values[column] = error ? static_cast<float>(*error) : 0.0F;
@@ -80,6 +87,10 @@ class NearError : public CellMeasure {
   }
 
  private:
+  [[nodiscard]] bool is_of_many() const {
+    constexpr std::size_t many = 12;
+    return near_->target().poses.size() - near_->target().exact.size() > many;
+  }
   [[nodiscard]] std::optional<double> error_of(MapPoint place, const std::optional<DyadPair>& links) const {
     const auto working = links ? four_bar_of(*links) : std::nullopt;
     if (!working) return std::nullopt;

@@ -26,6 +26,8 @@ CurveFitOptions fit_options(const NearestTarget& near, const Requirements& requi
   if (requirements.moving_pivots_within) fit.windows.moving = *requirements.moving_pivots_within;
   fit.input_pivot = near.pivots.input;
   fit.output_pivot = near.pivots.output;
+  for (const FitStart& start : wishes.starts)
+    if (start.point) fit.starts.push_back({start.bars, *start.point});
   fit.threads = options.threads;
   fit.simd = options.simd;
   return fit;
@@ -173,6 +175,18 @@ TaskFamily family_of_nearest(const PathTask& task, const Requirements& requireme
     given.paths = std::make_shared<const PivotPathFamily>(near, fit, found.fits, progress);
   given.family = given.paths;
   return given;
+}
+
+FitSearch search_nearest(const PathTask& task, const Requirements& requirements, const FitWishes& wishes,
+                         const RegionOptions& options, const Progress& progress) {
+  const NearestTarget near = nearest_target(task);
+  const Requirements limits = with_default_lengths(requirements, near.target.diagonal());
+  const CurveFits found = fits_of(near, fit_options(near, limits, wishes, options), progress);
+  FitSearch search{{}, std::nullopt, found.counts.starts, found.counts.minima, found.cancelled};
+  for (const CurveFit& fit : found.fits)
+    search.linkages.push_back({fit.linkage().bars, fit.linkage().point, std::nullopt});
+  if (!found.fits.empty()) search.rms = near.error_of(found.fits.front()).rms;
+  return search;
 }
 
 }  // namespace linkwright

@@ -5,8 +5,28 @@
 #include <fmt/format.h>
 
 #include "analyses/analyses.hpp"
+#include "core/number_check.hpp"
 
 namespace linkwright {
+namespace {
+
+void check_point(Point point, const std::string& place, std::vector<Error>& found) {
+  check_number(point.real(), "x", place, found);
+  check_number(point.imag(), "y", place, found);
+}
+
+void check_start(const FitStart& start, const std::string& place, std::vector<Error>& found) {
+  check_point(start.bars.input_fixed, place + ".input.center_point", found);
+  check_point(start.bars.input_moving, place + ".input.circle_point", found);
+  check_point(start.bars.output_fixed, place + ".output.center_point", found);
+  check_point(start.bars.output_moving, place + ".output.circle_point", found);
+  if (start.point) check_point(*start.point, place + ".point", found);
+  if (!start.pose) return;
+  check_point(start.pose->origin, place + ".pose", found);
+  check_angle(start.pose->angle, "theta_deg", place + ".pose.theta_deg", found);
+}
+
+}  // namespace
 
 std::vector<Error> mistakes_in(const SynthesisOptions& options) {
   std::vector<Error> found;
@@ -46,6 +66,13 @@ std::vector<Error> mistakes_in(const SynthesisOptions& options) {
     found.push_back({"grashof_margin_range", "options.fit.grashof_margin",
                      "a Grashof margin is a share of the diagonal, from 0 to below 1; 0.003 is usual, null allows any "
                      "linkage"});
+  if (options.fit.starts.size() > FitWishes::most_starts)
+    found.push_back({"fit_starts_count",
+                     "options.fit.starts",
+                     fmt::format("at most {} linkages to begin with belong here", FitWishes::most_starts),
+                     {{"most", static_cast<double>(FitWishes::most_starts)}}});
+  for (std::size_t k = 0; k < options.fit.starts.size(); ++k)
+    check_start(options.fit.starts[k], fmt::format("options.fit.starts[{}]", k), found);
   const auto check_length = [&](const std::optional<double>& length, const char* place) {
     if (length && !(*length > 0 && std::isfinite(*length)))
       found.push_back({"length_of_line", place, "a length greater than 0 belongs here, or null"});
@@ -78,6 +105,20 @@ std::vector<Error> mistakes_in_pareto(const Task& task, const std::array<Objecti
   return {};
 }
 
+// What belongs to a linkage to begin with.
+std::vector<Error> mistakes_in_starts(const std::vector<FitStart>& starts, bool of_poses) {
+  for (std::size_t k = 0; k < starts.size(); ++k) {
+    const std::string place = fmt::format("options.fit.starts[{}]", k);
+    if (!starts[k].point && !of_poses)
+      return {{"start_without_point", place, "a linkage to begin with needs \"point\", which traces its path"}};
+    if (starts[k].point && of_poses)
+      return {{"start_point_of_paths", place + ".point", "\"point\" belongs to linkages of a path; remove it"}};
+    if (starts[k].pose && !of_poses)
+      return {{"start_pose_of_poses", place + ".pose", "\"pose\" belongs to linkages past near poses; remove it"}};
+  }
+  return {};
+}
+
 }  // namespace
 
 std::vector<Error> mistakes_in(const Task& task, const Requirements& requirements, const SynthesisOptions& options) {
@@ -97,6 +138,7 @@ std::vector<Error> mistakes_in(const Task& task, const Requirements& requirement
     return {{"fit_options", "options.fit",
              "\"fit\" belongs to paths that pass near points, and to near poses with fewer than four exact positions; "
              "remove it"}};
+  if (auto of_starts = mistakes_in_starts(options.fit.starts, fits_poses); !of_starts.empty()) return of_starts;
   if (fits_poses && options.fit.grashof_margin != FitWishes{}.grashof_margin)
     return {{"fit_of_paths", "options.fit.grashof_margin",
              "a Grashof margin belongs to closed paths that pass near points; remove it"}};

@@ -23,8 +23,7 @@ TEST_P(PathFromPivots, ComesBackExactlyWhereTheLinkageThatTracedItStands) {
   for (int seed = 1; seed <= draws; ++seed) {
     const TracingFourBar drawn = testing::drawn_linkage(seed, true);
     const CurveTarget target = testing::traced_target(drawn, true, 40);
-    CurveFitOptions options;
-    options.grashof_margin = 1e-6;
+    CurveFitOptions options{.max_length = 100, .min_length = 1e-4, .grashof_margin = 1e-6};
     if (input) options.input_pivot = drawn.bars.input_fixed;
     if (output) options.output_pivot = drawn.bars.output_fixed;
     const CurveFits found = fit_curve(target, options);
@@ -40,7 +39,7 @@ TEST_P(PathFromPivots, ComesBackExactlyWhereTheLinkageThatTracedItStands) {
     }
     exact += !found.fits.empty() && found.fits.front().error.rms_over_diagonal < 1e-9 ? 1 : 0;
   }
-  EXPECT_GE(exact, draws * 3 / 4) << "from so few places the scan misses some";
+  EXPECT_GE(exact, draws - 2) << "the scan is not complete: of 180 drawn it missed 2";
 }
 
 INSTANTIATE_TEST_SUITE_P(Of, PathFromPivots,

@@ -43,6 +43,7 @@ void fields(FieldVisitor& v, const Replies& /*of*/) {
     reply_member(to, "stud_map", StudMapReply{});
     reply_member(to, "yields", YieldsReply{});
     reply_member(to, "front", FrontReply{});
+    reply_member(to, "fits", FitSearchReply{});
     reply_member(to, "machine", MachinePlan{});
     reply_member(to, "outlines", OutlinesReply{});
   });

@@ -83,6 +83,12 @@ def around_bounds(problem, path, node):
         yield changed
 
 
+def start_of(input_center, input_circle, output_center, output_circle):
+    """A linkage to begin a fit with."""
+    return {"input": {"center_point": list(input_center), "circle_point": list(input_circle)},
+            "output": {"center_point": list(output_center), "circle_point": list(output_circle)}}
+
+
 def problems_with_everything():
     """Tasks of all kinds that between them have every bounded member of the schema."""
     quick = {"region_samples": 8, "best": 0}
@@ -175,11 +181,15 @@ def problems_with_everything():
     yield "near weighted points", problem(
         {"kind": "path", "mechanism": "four_bar", "closed": True, "tolerance": 3, "between": "free", "map": "pivots", "points": [
             {"x": x, "y": y, "weight": 1, "tolerance": 2, "derivatives": []} for x, y in near]},
-        {"fit": {"effort": "quick", "measure": "least_squares", "grashof_margin": 0.003}}, requirements={"max_path_error": 5})
+        {"fit": {"effort": "quick", "measure": "least_squares", "grashof_margin": 0.003, "starts": [
+            start_of((0, 0), (40, 10), (200, 20), (180, 90)) | {"point": [90, 120]}]}}, requirements={"max_path_error": 5})
     near_poses = [{"x": x, "y": y, "theta_deg": theta, "near": True, "weight": 1, "tolerance": {"position": 5, "angle_deg": 2}}
                   for x, y, theta in ((0, 0, 0), (-60, 25, -11), (-125, 75, -25), (-178, 145, -39), (-220, 220, -52), (-240, 300, -63))]
     yield "near poses", problem({"kind": "motion", "mechanism": "four_bar", "poses": near_poses, "turning_length": 200},
-                                {"fit": {"effort": "quick", "measure": "least_squares"}}, requirements={"max_near_error": 50})
+                                {"fit": {"effort": "quick", "measure": "least_squares", "starts": [
+                                    start_of((120, 290), (160, 240), (140, 350), (110, 330)) | {
+                                        "pose": {"x": 1, "y": 2, "theta_deg": 3}}]}},
+                                requirements={"max_near_error": 50})
     yield "timed about a pivot", problem({"kind": "path", "mechanism": "four_bar", "points": timed,
                                           "given": {"ground_pivots": {"input": [40, 0]}}})
     chain = task_of("loader_bucket_chain")

@@ -58,7 +58,7 @@ BEYOND_SCHEMA = {"repeated_pose", "repeated_pose_a_turn_later", "transmission_an
                  "near_path_of_two_places", "near_path_without_weight", "path_error_of_motion", "near_path_pivot_at_a_point", "near_path_pivots_at_one_place",
                  "near_beside_six_exact", "near_error_without_near", "near_fit_of_region", "near_fitted_with_derivatives",
                  "near_fitted_with_margin", "near_fitted_with_pivot_on", "near_repeated_exact", "near_two_different_poses",
-                 "near_weights_zero",
+                 "near_weights_zero", "near_path_start_without_point", "near_fitted_start_with_point", "near_path_start_with_pose",
                  "timed_path_that_turns_back", "timed_path_with_equal_angles", "timed_path_of_more_than_a_turn", "timed_path_closed_by_its_first_point",
                  "timed_path_of_one_place", "timed_path_without_weight"}
 

@@ -131,6 +131,21 @@ class Sweeps(SweepTest):
                 worst = answer["linkages"][0]["loads"]["worst"]
                 self.assertEqual(told[sample], [worst[name.split(".")[2]]["value"] for name in forces])
 
+    @unittest.skipIf(h5py is None, "python3-h5py is not installed")
+    def test_errors_of_what_comes_near_are_columns(self):
+        for name, at, values, block in (("bean_stirrer", ("requirements", "max_length"), [200, 300], "fit"),
+                                        ("hatch_all_near", ("task", "turning_length"), [300, 400], "near")):
+            base = load(ROOT / f"examples/{name}.json")
+            self.done({"linkwright": 1, "problem": base, "sampling": {"method": "grid"}, "keep": {"linkages": 1},
+                       "vary": [{"name": "wanted", "at": "/" + "/".join(at), "values": values}]}, "--overwrite")
+            with h5py.File(self.output) as file:
+                told = list(file["linkages"][f"{block}.error.rms"])
+            self.assertEqual(len(told), len(values))
+            for value, rms in zip(values, told):
+                base.setdefault(at[0], {})[at[1]] = value
+                answer = json.loads(run("solve", self.write("one.json", json.dumps(base)), "-o", "-")[1])
+                self.assertEqual(rms, answer["linkages"][0][block]["error"]["rms"])
+
     def test_any_number_of_threads_writes_the_same_bytes(self):
         content = sweep_of(100)
         whole = self.whole(content)

@@ -373,3 +373,25 @@ test("a bean's pivots: its map over the drawing, a linkage picked there, its piv
   await keep_screenshot(page, "path_bolted");
   await expect(page.getByTestId("num.dxf")).toBeEnabled();
 });
+
+test("a bean is searched deeper while its four-bars are looked at, and what is found joins them", async ({page}) => {
+  await begin(page, "path_near");
+  const {rms} = (await fit_of(page)).error,
+    picked = await read_state(page, ({hand}) => hand!.tau);
+  await page.getByTestId("fit.deep").click();
+  await expect(page.getByTestId("fit.progress")).toHaveText(/[1-9]\d? %$/);
+  const other = await map_pixel(page, [0.75, 0.5]);
+  await page.mouse.move(other.x, other.y);
+  await expect.poll(() => read_state(page, ({hand}) => hand!.tau)).not.toEqual(picked);
+  await expect(page.getByTestId("fit.stop")).toBeVisible(); // nobody has waited for it
+  await page.mouse.move(5, 5);
+  await keep_screenshot(page, "path_deep");
+  await expect(page.getByTestId("fit.verdict")).toHaveText(/starts led to [\d,]+ linkages/);
+  await until_settled(page);
+  expect((await fit_of(page)).error.rms).toBeLessThanOrEqual(rms * (1 + 1e-9));
+  await expect(page.getByTestId("fit.starts")).toHaveText(/begins with \d+ more linkages/);
+  await expect_accessible(page);
+  await page.keyboard.press("Control+z");
+  await until_settled(page);
+  await expect(page.getByTestId("fit.starts")).toHaveCount(0);
+});

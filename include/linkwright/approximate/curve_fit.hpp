@@ -46,6 +46,9 @@ struct CurveFitOptions {
   PivotWindows windows;
   /// Where the fixed pivot of the driving link stands, and that of the other; nothing: anywhere.
   std::optional<Point> input_pivot, output_pivot;
+  /// Linkages from which least squares begin, too, beside what the scan finds: as they lie where the first point is to
+  /// be passed. Those that cannot be moved are passed over.
+  std::vector<TracingFourBar> starts;
   std::size_t max_fits = 20;    ///< how many are listed
   int threads = 0;              ///< 0: as many as the machine has; never shows in results
   Simd simd = Simd::automatic;  ///< instruction set of the kernels; all give the same bits

@@ -29,6 +29,12 @@ struct PoseTarget {
   [[nodiscard]] bool is_exact(std::size_t pose) const;
 };
 
+/// A linkage from which least squares begin, as it lies where the first pose is to be taken.
+struct PoseFitStart {
+  FourBar bars;
+  std::optional<Pose> body;  ///< that it carries there; nothing: it lies in that pose
+};
+
 struct PoseFitOptions {
   static constexpr double unlimited = std::numeric_limits<double>::infinity();
 
@@ -42,6 +48,8 @@ struct PoseFitOptions {
   /// Boxes: for both fixed pivots, between which is fitted; and for both moving ones at the first pose, which only
   /// tells which linkages are listed.
   PivotWindows windows;
+  /// Beside what the field finds. Those that cannot be moved are passed over.
+  std::vector<PoseFitStart> starts;
   std::size_t max_fits = 20;  ///< how many are listed
   int threads = 0;            ///< 0: as many as the machine has; never shows in results
 };

@@ -32,6 +32,8 @@ struct FourBar {
   }
   /// The same bars driven from the other grounded link.
   [[nodiscard]] FourBar swapped() const { return {output_fixed, output_moving, input_fixed, input_moving}; }
+
+  friend bool operator==(const FourBar&, const FourBar&) = default;
 };
 
 /// Largest distance between the pivots of two four-bars, the grounded links named whichever way is nearer.

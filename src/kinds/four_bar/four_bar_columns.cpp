@@ -24,7 +24,8 @@ void add_four_bar(LinkageColumns& list) {
 void list_columns(LinkageColumns& list, const MotionTask& task) {
   add_four_bar(list);
   if (task.near.empty()) return;
-  list.length("near.error.rms", "Root mean square error at the near poses, turns counted by the turning length");
+  list.length("near.error.rms", "Root mean square error at the near poses, turns counted by the turning length",
+              LinkageColumn::usual);
   list.length("near.error.position_rms", "Root mean square distance from the near poses");
   list.length("near.error.position_max", "Largest distance from a near pose");
   list.angle("near.error.angle_rms_deg", "Root mean square turn from the near poses");
@@ -48,8 +49,8 @@ void list_columns(LinkageColumns& list, const PathTask& task) {
   list.angle("timing_error_deg", "By driving: largest turn of the crank to where the point is nearest");
   list.number("cognate.size_ratio", "", "Crank of the cognate over this one");
   if (!task.is_approximate()) return;
-  list.length("fit.error.rms", "Root mean square distance of the points from the path");
-  list.length("fit.error.max", "Largest distance of a point from the path");
+  list.length("fit.error.rms", "Root mean square distance of the points from the path", LinkageColumn::usual);
+  list.length("fit.error.max", "Largest distance of a point from the path", LinkageColumn::usual);
   list.number("fit.error.rms_over_diagonal", "", "Root mean square distance over the diagonal of the points");
   list.length("fit.error.excursion", "Largest distance of the path between the points from the polygon through them");
 }

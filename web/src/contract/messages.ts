@@ -15,6 +15,7 @@ import {
   type Mistake,
   type Notice,
   type PlateSizes,
+  type FitSearchReply,
   type StudMapReply,
   type TaskReply,
   type ToleranceReply,
@@ -282,6 +283,8 @@ export interface Requests {
    *  the answer is that of the last. */
   place_spring: {problem: string; tau: TauPair; boxes: string};
   stud_map: {problem: string; tau: TauPair; boxes: string; stud: StudEnd; columns: number; rows: number};
+  /** Where linkages are fitted: with some 16 times as many starts as usual, told how far it is. */
+  search_fits: {problem: string};
   /** Samples the yields of so many more cells of the map explored last; `explore` then shows what is known. */
   yields: {problem: string; cells: number};
   /** The cells of the map explored last that no other beats in both objectives. */
@@ -305,6 +308,8 @@ export interface Ranked extends Partial<Record<Property, number | null>> {
   longest: number | null;
   /** Of a four-bar both ends of input and output, of a longer linkage all its hinges. */
   pivots: Pivot[];
+  /** Of its point, where it has one that is to follow a path. */
+  path?: readonly (readonly [number, number])[] | null;
 }
 export interface Replies {
   explore: {
@@ -325,6 +330,7 @@ export interface Replies {
   loads: LoadsReply | Record<"loads", null>; // null: no loads, or it does not get through its positions in order
   place_spring: {placed: PlacedSpring | null}; // null: it does not get through its positions in order
   stud_map: {map: StudMapReply | null}; // the other stud in the middle of its box
+  search_fits: FitSearchReply;
   yields: {done: number; total: number}; // cells that meet all else
   front: {front: [row: number, column: number, first: number, second: number][]}; // the best by the first one first
   trace: {points: Float64Array}; // 2K, one per drive state
@@ -340,6 +346,7 @@ export type Kind = keyof Requests;
 export interface Tidings {
   search: {rounds: number; found: Replies["best"]}; // rounds that are through, and what the last of them found
   place_spring: {found: PlacedSpring};
+  search_fits: {done: number}; // of 1
 }
 export type TidingsOf<K extends Kind> = K extends keyof Tidings ? Tidings[K] : never;
 

@@ -684,6 +684,23 @@ export interface Loads {
   /** Of the travel of each linkage of a map, the positions among them. */
   stations?: number;
 }
+export interface StartLink {
+  center_point: readonly [number, number];
+  circle_point: readonly [number, number];
+}
+export interface StartPose {
+  x: number;
+  y: number;
+  theta_deg: number;
+}
+export interface FitStart {
+  input: StartLink;
+  output: StartLink;
+  /** Of a path: that of the coupler. */
+  point?: readonly [number, number];
+  /** Past poses: of the body that it carries; without it that is in the first of them. */
+  pose?: StartPose;
+}
 export interface Fit {
   /** How many places and starts are tried. */
   effort?: "quick" | "standard" | "deep";
@@ -691,6 +708,8 @@ export interface Fit {
   measure?: "least_squares" | "least_largest";
   /** Closed paths: by how much the longest and the shortest link are shorter than the other two together, at least, over the diagonal of the points; null: any linkage. */
   grashof_margin?: number | null;
+  /** Linkages to begin with beside those that are found, each as it lies at the first of the points or poses. */
+  starts?: readonly FitStart[];
 }
 export interface Options {
   /** N of the N × N region. */
@@ -709,7 +728,7 @@ export interface Options {
   stroke?: number | null;
   /** Straight lines: usable by the line itself, or by the best strip beside it. */
   measure?: "tangent" | "strip";
-  /** Paths that pass near points. */
+  /** Paths that pass near points, and linkages that pass near poses. */
   fit?: Fit;
   /** Six-bars without a chain: where all pivots lie in position 1. Paths of five points and nothing else given: where the input's ground pivot is searched for. */
   box?: Box | null;

@@ -16,6 +16,7 @@ export interface ToldAsText {
   stud_map: StudMapReply;
   yields: YieldsReply;
   front: FrontReply;
+  fits: FitSearchReply;
   machine: MachinePlan;
   outlines: Outlines;
 }
@@ -246,6 +247,10 @@ export interface RankedReply {
   tau: readonly [number, number];
   /** The object of the result file. */
   record: FourBar | SixBar | SphericalFourBar | StraightLineFourBar;
+  /** Of what is to come near points or poses: what is least of it. */
+  near_error?: number;
+  /** Of its point, all round. */
+  path?: readonly (readonly [number, number])[];
   min_link_angle_deg?: number;
   /** Of six-bars. */
   chain?: Chain;
@@ -327,6 +332,35 @@ export interface YieldsReply {
 export interface FrontReply {
   /** Row, column, first and second objective; the best by the first one first. */
   front: readonly (readonly [number, number, number, number])[];
+}
+export interface StartLink {
+  center_point: readonly [number, number];
+  circle_point: readonly [number, number];
+}
+export interface StartPose {
+  x: number;
+  y: number;
+  theta_deg: number;
+}
+export interface FitStart {
+  input: StartLink;
+  output: StartLink;
+  /** Of a path: that of the coupler. */
+  point?: readonly [number, number];
+  /** Past poses: of the body that it carries; without it that is in the first of them. */
+  pose?: StartPose;
+}
+/** What a longer search shows beside the usual one. */
+export interface FitSearchReply {
+  /** Error of the best by the usual search; null: it found none. */
+  usual_rms: number | null;
+  /** The same by this one. */
+  rms: number | null;
+  starts: number;
+  /** To how many different linkages they led. */
+  minima: number;
+  /** The best first: `options.fit.starts` of a problem. */
+  linkages: readonly FitStart[];
 }
 /** User's unit. About a centre plates are pieces of spherical shells. */
 export interface PlateSizes {

@@ -215,7 +215,13 @@ export function ranked_of({tau, record, chain, min_link_angle_deg, ...reply}: Ra
   if (chain) return {...ranked, chain} as Ranked;
   if (record.angles_deg)
     return {...ranked, min_link_angle_deg, driver_sweep_deg: record.driver_sweep_deg, max_structural_error_deg: null};
-  if (!record.pivots) return {...ranked, max_structural_error_deg: max_structural_error_deg ?? null};
+  if (!record.pivots)
+    return {
+      ...ranked,
+      max_structural_error_deg: max_structural_error_deg ?? null,
+      [record.near ? "near_error" : "path_error"]: reply.near_error ?? null,
+      path: reply.path ?? null,
+    } as Ranked;
   const line = {
     ...ranked,
     usable_stroke: record.usable!.length,

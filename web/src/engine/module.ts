@@ -66,6 +66,8 @@ export interface LinkwrightModule {
   Session: new () => Session;
   /** JSON text: the report of this name, or {"mistakes"}. */
   report(of: string, text: string): string;
+  /** JSON text: FitSearchReply, or {"mistakes"}. `tell` hears how much is done, in [0, 1]. */
+  search_fits(problem: string, tell: (done: number) => void): string;
   version(): string;
 }
 

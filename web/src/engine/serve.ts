@@ -24,7 +24,7 @@ import type {
   ToleranceAnswer,
   ToleranceFigures,
 } from "../contract/messages";
-import type {StudMapReply} from "../contract/replies";
+import type {FitSearchReply, StudMapReply} from "../contract/replies";
 
 const nearest_order = -1;
 const no_dyads: Mistake = {
@@ -97,6 +97,7 @@ export class Engine {
       loads: (r) => JSON.parse(this.holding(r.problem).loads(...r.tau) || '{"loads": null}'),
       place_spring: (r) => this.place_spring(r, tell),
       stud_map: (r) => this.stud_map(r),
+      search_fits: (r) => this.search_fits(r, tell),
       yields: (r) => JSON.parse(this.holding(r.problem).sample_yields(r.cells)),
       front: (r) => JSON.parse(this.holding(r.problem).front(...r.objectives)),
       trace: (r) => ({points: copied(this.holding(r.problem).trace(...r.tau, ...r.point))}),
@@ -208,6 +209,17 @@ export class Engine {
   private stud_map({problem, tau, boxes, stud, columns, rows}: Requests["stud_map"]): Replies["stud_map"] {
     const found = answer_of<StudMapReply>(this.holding(problem).stud_map(...tau, boxes, stud, columns, rows));
     return {map: found?.columns ? found : null};
+  }
+
+  private search_fits(
+    {problem}: Requests["search_fits"],
+    tell: (tidings: Tidings["search_fits"]) => void,
+  ): Replies["search_fits"] {
+    const found = JSON.parse(this.module.search_fits(problem, (done) => tell({done}))) as
+      | FitSearchReply
+      | {mistakes: Mistake[]};
+    if ("mistakes" in found) throw new Refusal(found.mistakes);
+    return found;
   }
 
   private exported({problem, tau, format}: Requests["export"]): Replies["export"] {

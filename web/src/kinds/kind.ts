@@ -141,6 +141,8 @@ export interface TaskKind<T extends Task = Task> {
   filed?(problem: Problem): object;
   /** With other poses, of a body that is guided; what does not go with them is left out. */
   with_poses?(task: T, poses: readonly Pose[]): T;
+  /** Without options that do not go with the task. */
+  fitting?(problem: Problem): Problem;
   /** Of a body that is turned: what another kind may take over. */
   orientations?(task: T): readonly Orientation[];
   incompleteness(task: T): Incomplete | null;

@@ -257,7 +257,8 @@ export function with_pose_moved(problem: Problem, index: number, [dx, dy]: Point
   return with_pose(problem, index, {x: tidy(x + dx), y: tidy(y + dy)});
 }
 export function with_poses(problem: Problem, poses: readonly Pose[]): Problem {
-  return with_task(problem, with_task_poses(problem.task, poses));
+  const changed = with_task(problem, with_task_poses(problem.task, poses));
+  return kind_of(changed.task).fitting?.(changed) ?? changed;
 }
 /** A text of the frame, as this kind of task says it. */
 export function text_for(task: Task, key: TextKey): TextKey {

@@ -24,7 +24,7 @@ export function place_text(axis: Axis, side: Side, tau: number, digits = 4): str
     case "layer":
       return t("axis.linkage", {n: Math.floor(tau) + 1});
     case "fitted_curve":
-      return t("axis.path", {n: Math.floor(tau) + 1});
+      return t(axis.branches[0]?.name === "linkage" ? "axis.linkage" : "axis.path", {n: Math.floor(tau) + 1});
     case "realisation":
       return t("axis.realisation", {n: Math.floor(tau) + 1});
     case "side_direction":

@@ -2,6 +2,7 @@
 import {with_moved_blocks} from "../analyses/analysis_dispatch";
 import {in_plane} from "../figure/mechanism";
 import type {Box, Point} from "../contract/messages";
+import type {FitStart} from "../contract/problem";
 import {body_point, with_task, type Pin} from "../state/problem";
 import type {TaskDocument} from "../state/document";
 import {poses_of, same_task, type Pose, type Task} from "../state/task";
@@ -87,6 +88,8 @@ export function referred(document: TaskDocument, index: number): TaskDocument {
       ...changed.requirements,
       moving_pivots_within: referred_box(requirements.moving_pivots_within, origin),
     };
+  const {fit} = changed.options ?? {};
+  if (fit?.starts) changed.options = {...changed.options, fit: {...fit, starts: fit.starts.map((of) => moved_start(of, point, pose))}};
   if (view?.background) {
     const {angle_deg = 0} = view.background,
       [x, y] = body_point([view.background.x, view.background.y], origin);
@@ -95,6 +98,18 @@ export function referred(document: TaskDocument, index: number): TaskDocument {
     changed.view = {...view, background: {...view.background, x, y, angle_deg: within_a_turn}};
   }
   return {...document, problem: changed, pins};
+}
+function moved_start({input, output, point, pose}: FitStart, move: (p: Point) => Point, turned: (p: Pose) => Pose): FitStart {
+  const link = ({center_point, circle_point}: FitStart["input"]) => ({
+    center_point: move(center_point),
+    circle_point: move(circle_point),
+  });
+  return {
+    input: link(input),
+    output: link(output),
+    ...(point ? {point: move(point)} : {}),
+    ...(pose ? {pose: turned(pose)} : {}),
+  };
 }
 function referred_task(task: Task, pose: (p: Pose) => Pose, point: (p: Point) => Point, index: number): Task {
   const poses = poses_of(task).map((p, i) => (i === index ? {...pose(p), x: 0, y: 0, theta_deg: 0} : pose(p)));

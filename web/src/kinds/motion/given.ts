@@ -3,7 +3,7 @@ import type {Linkage, Point, Side} from "../../contract/messages";
 import {poses_extent, round_step, with_task, type Problem} from "../../state/problem";
 import {poses_of, position_count} from "../../state/task";
 import {given_lines, given_pivots, lines_of, pivot_of, pivots_of} from "./pivots";
-import {is_motion, type Given, type MotionTask} from "./task";
+import {fitting_options, is_motion, type Given, type MotionTask} from "./task";
 
 export const given_forms = [
   "side_lengths",
@@ -30,7 +30,7 @@ export function given_of({task}: Problem): Given | null {
   return (task as MotionTask).given ?? null;
 }
 export function with_given(problem: Problem, given: Given): Problem {
-  return with_task(problem, {...(problem.task as MotionTask), given});
+  return fitting_options(with_task(problem, {...(problem.task as MotionTask), given}));
 }
 export function takes_given({task}: Problem): boolean {
   return is_motion(task) && position_count(task.poses) === 3;

@@ -3,7 +3,7 @@ import type {Point} from "../../contract/messages";
 import {length_levels, outline_of, placed, with_requirements, type Problem} from "../../state/problem";
 import {is_number, is_object, is_pair, present, read_list, type JsonObject} from "../../state/shape";
 import {diagonal_of, pattern_of, poses_of, position_count, served_poses, type Pose} from "../../state/task";
-import {exact_poses, has_near, is_fitted, is_motion, type Given, type MotionTask} from "./task";
+import {exact_poses, fitting_options, has_near, is_fitted, is_motion, type Given, type MotionTask} from "./task";
 import {significant} from "../../texts/numbers";
 import type {Beginning, TaskKind} from "../kind";
 import {planar_objectives, planar_properties, planar_requirements, planar_types} from "../planar";
@@ -156,6 +156,7 @@ export const motion_kind: TaskKind<MotionTask> = {
   read,
   of_poses: (poses) => read({kind: "motion", mechanism: "four_bar", poses}),
   with_poses,
+  fitting: fitting_options,
   incompleteness(task) {
     const {given} = task,
       n = position_count(exact_poses(task)),

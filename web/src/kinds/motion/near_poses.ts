@@ -28,8 +28,8 @@ export function with_near(problem: Problem, pose: number, wanted: boolean): Prob
 }
 /** What only tasks with near poses ask for. */
 function without_nearness(problem: Problem): Problem {
-  const {objective, fit: _, ...options} = problem.options ?? {},
-    {max_near_error: __, ...requirements} = problem.requirements ?? {};
+  const {objective, ...options} = problem.options ?? {},
+    {max_near_error: _, ...requirements} = problem.requirements ?? {};
   const kept = objective === undefined || objective === "near_error" ? options : {...options, objective};
   return {
     ...problem,

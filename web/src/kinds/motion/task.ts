@@ -1,5 +1,6 @@
 // As the problem file has it.
 import type {Point, Side} from "../../contract/messages";
+import {with_options, type Problem} from "../../state/problem";
 import {position_count, type Pose, type Task} from "../../state/task";
 
 export type PivotKind = "ground" | "moving";
@@ -48,6 +49,12 @@ export function exact_poses({poses}: Pick<MotionTask, "poses">): readonly Pose[]
 /** Too few are exact for a map of all linkages that pass them: as the engine's MotionTask::is_fitted(). */
 export function is_fitted(task: MotionTask): boolean {
   return has_near(task) && position_count(exact_poses(task)) < (task.given ? 3 : 4);
+}
+
+/** How linkages are fitted is said only where they are. */
+export function fitting_options(problem: Problem): Problem {
+  const {task, options} = problem;
+  return options?.fit && is_motion(task) && !is_fitted(task) ? with_options(problem, {fit: undefined}) : problem;
 }
 
 export function is_motion(task: Task): task is MotionTask {

@@ -14,6 +14,7 @@ import {
   until,
   until_mapped,
   until_settled,
+  until_there,
   workbench,
 } from "../../../tests/page/support";
 import {stroke_drag, stroke_of} from "./stroke.svelte";
@@ -102,6 +103,24 @@ test("tolerance, weights, the polygon, the search and the closing are given", as
   await until_settled();
   expect(faults()).toBe("");
   expect(workbench.map).not.toBeNull();
+});
+
+test("a deeper search says what it showed, and what it found joins the list in one step", async () => {
+  const {problem} = workbench,
+    {error} = fit();
+  await click("fit.deep");
+  await until_there("fit.verdict");
+  expect(text("fit.verdict")).toMatch(/^[\d ,.]+ starts led to [\d ,.]+ linkages/);
+  const {starts} = workbench.problem.options!.fit!;
+  expect(text("fit.starts")).toBe(`begins with ${starts!.length} more linkages`);
+  await until_settled();
+  expect(workbench.map!.type.length).toBeGreaterThan(0);
+  expect(fit().error.rms).toBeLessThanOrEqual(error.rms * (1 + 1e-9));
+  workbench.undo();
+  expect(workbench.problem).toEqual(problem);
+  workbench.redo();
+  await click("fit.starts_drop");
+  expect(workbench.problem).toEqual({...problem, options: {}});
 });
 
 test("distances stand at the points, in a plot", async () => {
@@ -204,7 +223,7 @@ test("it speaks Chinese", async () => {
   await until_mapped();
   await click("view.language");
   await until(() => /\p{Script=Han}/u.test(text("path.numbers")));
-  for (const part of ["path.numbers", "path.layers", "path.draw", "path.given_near", "path.effort_deep"])
+  for (const part of ["path.numbers", "path.layers", "path.draw", "path.given_near", "fit.deep"])
     expect(text(part).replace(/\bmm\b|rms/g, "")).not.toMatch(/[a-z]{3}/i);
 });
 

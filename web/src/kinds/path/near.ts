@@ -4,8 +4,13 @@ import {with_options, type Problem} from "../../state/problem";
 import {without_angle} from "./angles";
 import {asks_for_near, is_near, is_path, type PathPoint, type PathTask} from "./task";
 
-export const efforts = ["quick", "standard", "deep"] as const;
+const efforts = ["quick", "standard", "deep"] as const;
 export type Effort = (typeof efforts)[number];
+
+/** Those that are soon answered, and that of the problem: deep is looked for beside the work (deep_search.svelte.ts). */
+export function efforts_to_choose(problem: Problem): Effort[] {
+  return efforts.filter((effort) => effort !== "deep" || effort_of(problem) === effort);
+}
 
 export function effort_of({options}: Problem): Effort {
   return options?.fit?.effort ?? "standard";
@@ -14,7 +19,18 @@ export function with_effort(problem: Problem, effort: Effort): Problem {
   const {effort: _, ...rest} = problem.options?.fit ?? {};
   return with_fit(problem, effort === "standard" ? rest : {...rest, effort});
 }
-function with_fit(problem: Problem, fit: NonNullable<Options["fit"]>): Problem {
+type Fit = NonNullable<Options["fit"]>;
+export type FitStarts = NonNullable<Fit["starts"]>;
+
+/** Linkages to begin with. */
+export function starts_of({options}: Problem): FitStarts {
+  return options?.fit?.starts ?? [];
+}
+export function with_starts(problem: Problem, starts: FitStarts): Problem {
+  const {starts: _, ...rest} = problem.options?.fit ?? {};
+  return with_fit(problem, starts.length ? {...rest, starts} : rest);
+}
+function with_fit(problem: Problem, fit: Fit): Problem {
   return with_options(problem, {fit: Object.keys(fit).length ? fit : undefined});
 }
 export const maps = ["curves", "pivots"] as const;
