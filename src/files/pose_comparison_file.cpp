@@ -1,5 +1,7 @@
 #include "linkwright/files/pose_comparison_file.hpp"
 
+#include <cmath>
+
 #include "linkwright/core/angle.hpp"
 #include "linkwright/files/csv_table.hpp"
 
@@ -56,6 +58,8 @@ Result<PoseComparison> compare_with_poses(const StoredLinkage& linkage, const st
                  "nothing says where the body is as the linkage lies; give \"poses\": [{\"x\": …, \"y\": …, "
                  "\"theta_deg\": …}] beside it in the file, or --body x,y,theta_deg"};
   const Pose lies = body.value_or(linkage.poses.empty() ? Pose{} : linkage.poses.front().pose);
+  if (!is_finite(lies.origin) || !std::isfinite(lies.angle))
+    return Error{"body_not_finite", "", "where the body is, is told by three finite numbers: x, y and theta_deg"};
   const auto fit = compare_with_poses(linkage.four_bar, lies, poses.target());
   if (!fit)
     return Error{"linkage_stands", "",

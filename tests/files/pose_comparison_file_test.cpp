@@ -113,6 +113,8 @@ TEST(PoseComparisonFile, TheBodyLiesWhereItIsSaid) {
   linkage.poses.clear();
   EXPECT_EQ(compare_with_poses(linkage, {}, *poses).errors().front().code, "no_body");
   EXPECT_TRUE(compare_with_poses(linkage, lies, *poses));
+  const Pose nowhere{{1.2, 2.5}, std::nan("")};
+  EXPECT_EQ(compare_with_poses(linkage, nowhere, *poses).errors().front().code, "body_not_finite");
 }
 
 TEST(PoseComparisonFile, TellsPosesThatCannotBeCompared) {

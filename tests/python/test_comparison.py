@@ -65,8 +65,10 @@ def test_what_does_not_go_together_is_told() -> None:
             linkage.compare(wrong, body=(1, 1, 0))
     with pytest.raises(lw.ProblemError):
         linkage.compare(POSES, body=(1, 1, 0), turning_length=0)
-    with pytest.raises(lw.ProblemError):
+    with pytest.raises(lw.ProblemError, match="finite numbers"):
         linkage.compare(POSES, body=(1, np.inf, 0))
+    with pytest.raises(ValueError):
+        linkage.compare(POSES, body=(1, 1))
     with pytest.raises(ValueError):
         linkage.compare([(1, 1, 0), (1, 2), (2, 2, 5)])
     wrist = lw.Linkage.read({"mechanism": "spherical_four_bar", "angles_deg": {"ground": 80, "input": 30, "coupler": 70, "output": 75}})

@@ -176,7 +176,10 @@ class Linkage:
         return record_of(json.loads(text)["comparison"], lambda: svg)
 
     def _compare_poses(self, poses: list[Any], body: Sequence[float] | None, turning_length: float | None) -> Record:
-        lies = None if body is None else (float(body[0]), float(body[1]), float(body[2]))
+        lies = None
+        if body is not None:
+            x, y, theta_deg = body
+            lies = (float(x), float(y), float(theta_deg))
         text, svg = self._native.pose_comparison(poses, lies, turning_length)
         return record_of(json.loads(text)["pose_comparison"], lambda: svg)
 

@@ -30,8 +30,8 @@ struct PoseComparison {
 };
 
 /// On the circuit in which the linkage lies. `body`: where its body is as it lies, instead of the first of the file's
-/// poses. A linkage that does not say where its body is and one that cannot be moved are mistakes: `no_body`,
-/// `linkage_stands`.
+/// poses. A linkage that does not say where its body is, a body nowhere and a linkage that cannot be moved are
+/// mistakes: `no_body`, `body_not_finite`, `linkage_stands`.
 [[nodiscard]] Result<PoseComparison> compare_with_poses(const StoredLinkage& linkage, const std::optional<Pose>& body,
                                                         const NearPoses& poses);
 
