@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "console.hpp"
+#include "linkwright/files/analysis_file.hpp"
 #include "linkwright/machine/machine_export.hpp"
 
 namespace linkwright::cli {
@@ -34,6 +35,8 @@ struct AnalyzeArguments {
   bool closed = false;       ///< that path
 };
 [[nodiscard]] int analyze(const AnalyzeArguments& arguments);
+/// What analyze() does with `compared`; the linkage is driven by its input.
+[[nodiscard]] int compare(const StoredLinkage& linkage, const AnalyzeArguments& arguments);
 
 struct ExportArguments {
   std::string result;

@@ -69,6 +69,8 @@ class PoseComparison(FaceTest):
             found = min(error(there, Pose(pose), length) for there in motion)
             self.assertAlmostEqual(found, told, delta=0.02 * told + 2e-4 * length)
         self.assertLess(abs(by_table["error"]["rms"] - by_task["error"]["rms"]), 0.5 * by_task["error"]["rms"])
+        _, in_capitals, _ = self.compared("hatch_all_near", self.write("POSES.CSV", table_of(poses)))
+        self.assertEqual(in_capitals, by_table)
         rows = self.folder / "rows.csv"
         linkage = self.folder / "hatch_all_near.linkage.json"
         self.assertEqual(run("analyze", linkage, "--compare", self.folder / "poses.csv", "-o", rows)[0], 0)
