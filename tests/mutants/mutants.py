@@ -209,6 +209,9 @@ CURVE_FIT = [
     ("transmission by the closure", "- by_closure * slide.closure_row[i] +", "+ by_closure * slide.closure_row[i] +"),
     ("branch left to the other side", "{-branch_weight * branch}", "{branch_weight * branch}"),
     ("window's far side", "row.residual = pivot_weight * (place[i] - clamped);", "row.residual = pivot_weight * (clamped - place[i]);"),
+]
+
+CURVE_DRIVE = [
     # realisations
     ("third pivot", "all.push_back(from.cognate());", "all.push_back(from);"),
     ("swapped realisation keeps its driver", "Realisation other{linkwright::swapped(linkage), {}, output, input};",
@@ -290,10 +293,13 @@ SUBJECTS = {
     "statics": ("src/loads/statics.cpp", ["src/loads/statics.hpp"], ["tests/mutants/statics_check.cpp", "tests/support/random_four_bar.cpp"], STATICS),
     "curve fit": ("tests/mutants/curve_fit_units.cpp",
                   [f"src/approximate/{name}" for name in
-                   ("circuit_drive.cpp", "coupler_circuit.cpp", "curve_least_squares.cpp", "drive_verdict.cpp", "driving_dyads.cpp",
-                    "dyad_scan.cpp", "dyad_scan_lanes.hpp", "fit_hinges.cpp", "fit_result.cpp", "loop_slide.hpp",
-                    "pair_rating.cpp", "second_dyad_at.cpp")],
+                   ("curve_least_squares.cpp", "driving_dyads.cpp", "dyad_scan.cpp", "dyad_scan_lanes.hpp", "fit_hinges.cpp",
+                    "loop_slide.hpp", "pair_rating.cpp", "second_dyad_at.cpp")],
                   ["tests/mutants/curve_fit_check.cpp", "tests/support/random_four_bar.cpp"], CURVE_FIT),
+    "curve drive": ("tests/mutants/curve_drive_units.cpp",
+                    [f"src/approximate/{name}" for name in
+                     ("circuit_drive.cpp", "coupler_circuit.cpp", "drive_verdict.cpp", "fit_result.cpp")],
+                    ["tests/mutants/curve_drive_check.cpp", "tests/support/random_four_bar.cpp"], CURVE_DRIVE),
     "pose fit": ("tests/mutants/pose_fit_units.cpp",
                  [f"src/approximate/{name}" for name in
                   ("pose_field.cpp", "pose_field.hpp", "pose_fit.cpp", "pose_least_squares.cpp", "pose_pairs.cpp", "pose_result.cpp",
