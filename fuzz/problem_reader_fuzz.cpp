@@ -34,6 +34,7 @@ void check_same_poses(const std::vector<PrescribedPose>& again, const std::vecto
 void check_same(const MotionTask& again, const MotionTask& task) {
   check_same_poses(again.poses, task.poses);
   require(again.given == task.given);
+  require(again.near == task.near && again.turning_length == task.turning_length);
 }
 
 void check_same_function(const WantedFunction& again, const WantedFunction& task) {

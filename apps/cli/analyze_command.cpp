@@ -1,6 +1,7 @@
 #include <algorithm>
 #include <cmath>
 #include <fmt/format.h>
+#include <variant>
 
 #include "commands.hpp"
 #include "linkwright/core/angle.hpp"
@@ -8,7 +9,6 @@
 #include "linkwright/drawing/svg_drawing.hpp"
 #include "linkwright/files/analysis_file.hpp"
 #include "linkwright/files/csv_table.hpp"
-#include "linkwright/files/outline_file.hpp"
 #include "linkwright/files/problem_file.hpp"
 #include "linkwright/files/result_file.hpp"
 #include "linkwright/files/six_bar_file.hpp"
@@ -51,61 +51,9 @@ int report_on(const Stored& linkage, const AnalyzeArguments& arguments) {
   return arguments.report == "-" || print_answer(words(analysis, arguments.drive)) ? 0 : failure;
 }
 
-// ---- a path and points
-
-Result<ComparedPath> path_of_problem_file(const std::string& file) {
-  const auto problem = read_problem_file(file);
-  if (!problem) return problem.errors();
-  if (const auto* path = std::get_if<PathTask>(&problem->task)) return compared_path(*path);
-  return Error{"no_path_to_compare", "task",
-               "this task has no path that a linkage could be compared with; give a task of kind \"path\", a table of "
-               "points or a drawing"};
-}
-
-/// Of a drawing its first shape, as `outline` lays a path along it.
-Result<ComparedPath> path_to_compare(const AnalyzeArguments& arguments, const std::string& length_unit) {
-  const std::string& file = arguments.compared;
-  if (ends_with(file, ".json")) return path_of_problem_file(file);
-  const auto drawing = read_outlines_file(file);
-  if (!drawing) return drawing.errors();
-  constexpr int usual_points = 48;
-  const DrawnShape& shape = drawing->shapes.front();
-  std::vector<Point> points = drawing->listed ? shape.corners : points_along(shape, usual_points);
-  const double scale = drawing_scale(drawing->unit_mm, length_unit);
-  for (Point& point : points) point *= scale;
-  return compared_path(points, shape.closed || arguments.closed);
-}
-
-bool draw_compared(const AnalyzeArguments& arguments, const LinkageAnalysis& analysis) {
-  return arguments.picture.empty() || write_output(arguments.picture, [&](const TextSink& sink) {
-           sink(draw_comparison(analysis.linkage, *analysis.comparison));
-         });
-}
-
-int report_comparison_of(const StoredLinkage& linkage, const AnalyzeArguments& arguments) {
-  const auto path = path_to_compare(arguments, linkage.length_unit);
-  if (!path) {
-    print_mistakes(arguments.compared, path.errors());
-    return mistake;
-  }
-  std::optional<Point> point;
-  if (!arguments.point.empty()) point = Point{arguments.point[0], arguments.point[1]};
-  auto compared = compare_with_path(linkage, point, *path);
-  if (!compared) {
-    print_mistakes(arguments.linkage, compared.errors());
-    return mistake;
-  }
-  LinkageAnalysis analysis = linkwright::analyze(linkage);
-  analysis.comparison = *std::move(compared);
-  const std::string& report = arguments.report;
-  const bool written =
-      report.empty() || write_output(report, [&](const TextSink& sink) {
-        sink(ends_with(report, ".csv") ? comparison_table(*analysis.comparison) : write_analysis(analysis));
-      });
-  if (!written || !draw_compared(arguments, analysis)) return failure;
-  const std::string text =
-      words(analysis, arguments.drive) + comparison_words(*analysis.comparison, linkage.length_unit);
-  return report == "-" || print_answer(text) ? 0 : failure;
+std::optional<Point> point_of(const AnalyzeArguments& arguments) {
+  if (arguments.point.empty()) return std::nullopt;
+  return Point{arguments.point[0], arguments.point[1]};
 }
 
 // ---- one instant
@@ -120,6 +68,8 @@ std::optional<Error> mistake_in(const AnalyzeArguments& arguments) {
   if (std::any_of(arguments.point.begin(), arguments.point.end(),
                   [&](double x) { return is_beyond(x, largest_number); }))
     return beyond("--point", largest_number);
+  if (std::any_of(arguments.body.begin(), arguments.body.end(), [&](double x) { return is_beyond(x, largest_number); }))
+    return beyond("--body", largest_number);
   if (arguments.input_deg && is_beyond(*arguments.input_deg, largest_angle_deg))
     return beyond("--input-deg", largest_angle_deg);
   if (arguments.input_acceleration && is_beyond(*arguments.input_acceleration, largest_number))
@@ -132,11 +82,6 @@ std::optional<Error> mistake_in(const AnalyzeArguments& arguments) {
   if (arguments.instant && ends_with(arguments.report, ".csv"))
     return Error{"instant_table", "--output", "an instant has no table; give the file a name that ends in .json"};
   return std::nullopt;
-}
-
-std::optional<Point> point_of(const AnalyzeArguments& arguments) {
-  if (arguments.point.empty()) return std::nullopt;
-  return Point{arguments.point[0], arguments.point[1]};
 }
 
 Result<LinkageInstant> instant_of(const StoredLinkage& linkage, const AnalyzeArguments& arguments) {
@@ -198,7 +143,7 @@ int report_instant_of_problem(const AnalyzeArguments& arguments) {
 
 int refuse_comparison(const AnalyzeArguments& arguments, std::string_view linkage) {
   print_mistakes(arguments.linkage, {{"comparison_of_a_plane", "--compare",
-                                      fmt::format("paths of planar four-bars are compared with points; this is a {}; "
+                                      fmt::format("planar four-bars are compared with points and poses; this is a {}; "
                                                   "leave --compare out",
                                                   linkage)}});
   return mistake;
@@ -248,7 +193,7 @@ int analyze(const AnalyzeArguments& arguments) {
   }
   auto four_bar = std::get<StoredLinkage>(*linkage);
   if (arguments.drive == "output") four_bar.four_bar = four_bar.four_bar.swapped();
-  if (!arguments.compared.empty()) return report_comparison_of(four_bar, arguments);
+  if (!arguments.compared.empty()) return compare(four_bar, arguments);
   return arguments.instant ? report_instant_of(four_bar, arguments) : report_on(four_bar, arguments);
 }
 

@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "console.hpp"
+#include "linkwright/files/analysis_file.hpp"
 #include "linkwright/machine/machine_export.hpp"
 
 namespace linkwright::cli {
@@ -28,11 +29,14 @@ struct AnalyzeArguments {
   std::optional<double> input_deg;  ///< from the ground link
   std::vector<double> point;        ///< x and y, or empty
   std::optional<double> input_acceleration;
-  std::string picture;   ///< path or empty
-  std::string compared;  ///< path of a problem, a table of points or a drawing, or empty
-  bool closed = false;   ///< that path
+  std::string picture;       ///< path or empty
+  std::string compared;      ///< path of a problem, a table of points or of poses, or a drawing; or empty
+  std::vector<double> body;  ///< x, y and degrees of what is compared with poses, as the linkage lies; or empty
+  bool closed = false;       ///< that path
 };
 [[nodiscard]] int analyze(const AnalyzeArguments& arguments);
+/// What analyze() does with `compared`; the linkage is driven by its input.
+[[nodiscard]] int compare(const StoredLinkage& linkage, const AnalyzeArguments& arguments);
 
 struct ExportArguments {
   std::string result;

@@ -50,8 +50,15 @@ void add_comparison(CLI::App& command, AnalyzeArguments& arguments) {
   CLI::Option* compared = command.add_option(
       "--compare", arguments.compared,
       "How near the path of the point comes to those of FILE: a problem with a path, a table x,y as FILE.csv, or a "
-      "drawing, FILE.dxf or FILE.svg");
+      "drawing, FILE.dxf or FILE.svg; or the body to poses: a problem of a motion, or a table x,y,theta_deg");
   command.add_flag("--closed", arguments.closed, "The points of the table are those of a closed path")->needs(compared);
+  command
+      .add_option("--body", arguments.body,
+                  "Where the body compared with poses is as the linkage lies in the file, x,y,theta_deg (default: the "
+                  "first of the file's poses)")
+      ->delimiter(',')
+      ->expected(3)
+      ->needs(compared);
 }
 
 void add_analyze(CLI::App& app, AnalyzeArguments& arguments) {

@@ -34,8 +34,9 @@ namespace linkwright::cli {
 /// What was found, in words and tables for people, at most 100 columns wide.
 [[nodiscard]] std::string report(const Problem& problem, const Answer& answer);
 
-/// How near a path comes to points, in words for people.
+/// How near a path comes to points, or a body to poses, in words for people.
 [[nodiscard]] std::string comparison_words(const PathComparison& comparison, const std::string& length_unit);
+[[nodiscard]] std::string comparison_words(const PoseComparison& comparison, const std::string& length_unit);
 
 /// What one instant tells, in words for people.
 [[nodiscard]] std::string instant_words(const LinkageAnalysis& analysis);

@@ -24,6 +24,7 @@
 #include "linkwright/files/number_text.hpp"
 #include "linkwright/files/orientation_file.hpp"
 #include "linkwright/files/outline_file.hpp"
+#include "linkwright/files/point_table.hpp"
 #include "linkwright/files/position_error.hpp"
 #include "linkwright/files/problem_file.hpp"
 #include "linkwright/files/result_file.hpp"

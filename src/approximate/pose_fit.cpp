@@ -82,7 +82,8 @@ PoseFits sorted_out(std::vector<PoseFit> all, const PoseTarget& target, const Po
 }  // namespace
 
 PoseFits fit_poses(const PoseTarget& target, const PoseFitOptions& options, const Progress& progress) {
-  require_pose_target(target);
+  constexpr std::size_t fewest = 3;  // below, a body can be anywhere
+  require_pose_target(target, fewest);
   const PoseFrame frame(target);
   const FitLimits limits = scaled_limits(options, frame);
   const PoseSearch search = search_poses(target, frame, limits, options, progress);
@@ -99,7 +100,7 @@ PoseFits fit_poses(const PoseTarget& target, const PoseFitOptions& options, cons
 
 std::optional<PoseFit> compare_with_poses(const FourBar& bars, const Pose& body, const PoseTarget& target,
                                           const PoseFitOptions& options) {
-  require_pose_target(target);
+  require_pose_target(target, 1);
   const LinkLengths lengths = bars.lengths();
   if (!(lengths.shortest() > 0) || !std::isfinite(lengths.perimeter()) || !is_finite(body.origin) ||
       !std::isfinite(body.angle))

@@ -26,14 +26,13 @@ double PoseTarget::scale() const {
 
 bool PoseTarget::is_exact(std::size_t pose) const { return std::binary_search(exact.begin(), exact.end(), pose); }
 
-void require_pose_target(const PoseTarget& target) {
-  std::vector<Pose> distinct;
+void require_pose_target(const PoseTarget& target, std::size_t distinct) {
+  std::vector<Pose> known;
   for (const Pose& pose : target.poses) {
     require(is_finite(pose.origin) && std::isfinite(pose.angle), "poses are finite");
-    if (distinct.size() < 3 && std::find(distinct.begin(), distinct.end(), pose) == distinct.end())
-      distinct.push_back(pose);
+    if (known.size() < distinct && std::find(known.begin(), known.end(), pose) == known.end()) known.push_back(pose);
   }
-  require(distinct.size() == 3, "there are three distinct poses at least");
+  require(known.size() == distinct, "enough poses are distinct");
   require(target.turning_length > 0 && std::isfinite(target.turning_length), "the turning length is above 0");
   require(target.weights.empty() || target.weights.size() == target.poses.size(), "a weight belongs to each pose");
   const auto usable = [](double weight) { return weight >= 0 && std::isfinite(weight); };

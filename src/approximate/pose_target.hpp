@@ -7,8 +7,8 @@
 
 namespace linkwright {
 
-/// Asserts what a PoseTarget is to be.
-void require_pose_target(const PoseTarget& target);
+/// Asserts what a PoseTarget is to be, and that so many of its poses are distinct, three at most.
+void require_pose_target(const PoseTarget& target, std::size_t distinct);
 
 /// Some of the poses of a target, in the frame in which it is fitted: centroid of all origins at 0, a scale of 1.
 struct ScaledPoses {

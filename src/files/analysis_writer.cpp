@@ -6,6 +6,7 @@
 #include "files/instant_fields.hpp"
 #include "files/linkage_fields.hpp"
 #include "files/path_fit_fields.hpp"
+#include "files/pose_fit_fields.hpp"
 #include "linkwright/core/angle.hpp"
 #include "linkwright/files/csv_table.hpp"
 #include "linkwright/files/label.hpp"
@@ -105,6 +106,12 @@ void instant_fields(FieldVisitor& v, const std::optional<LinkageInstant>& instan
   v.shown_if_any("instant", instant ? std::optional(instant->analysis) : std::nullopt);
 }
 
+void way_fields(FieldVisitor& v, const CurveDrive& drive, Sentence in_order) {
+  v.shown(Field("one_circuit", "Without disassembly."), drive.one_circuit);
+  v.shown(Field("in_order", in_order), drive.in_order);
+  v.shown(Field("input_drives", "The input meets no dead point on the way."), drive.input_drives);
+}
+
 void comparison_field(FieldVisitor& v, const std::optional<PathComparison>& comparison) {
   const PathComparison shown = comparison.value_or(PathComparison{});
   Field field("comparison", "With --compare: how near the path comes to points, on the circuit of the linkage.");
@@ -114,10 +121,31 @@ void comparison_field(FieldVisitor& v, const std::optional<PathComparison>& comp
       to.shown(Field("closed", "The points are those of a closed path."), shown.target.closed);
       error_field(to, shown.path.error);
       nearest_field(to, shown.path);
-      to.shown(Field("one_circuit", "Without disassembly."), shown.drive.one_circuit);
-      to.shown(Field("in_order", "The points come in turn."), shown.drive.in_order);
-      to.shown(Field("input_drives", "The input meets no dead point on the way."), shown.drive.input_drives);
+      way_fields(to, shown.drive, "The points come in turn.");
       to.shown(Field("full_turn", "The input turns fully."), shown.drive.full_turn);
+    });
+  });
+}
+
+void pose_comparison_field(FieldVisitor& v, const std::optional<PoseComparison>& comparison) {
+  const PoseComparison shown = comparison.value_or(PoseComparison{});
+  const auto number = [](std::size_t pose) { return static_cast<std::int64_t>(pose) + 1; };
+  Field field(
+      "pose_comparison",
+      "With --compare: how near the body comes to poses, on the circuit of the linkage, turns of the input told "
+      "from the first pose.");
+  v.member(field.written(comparison.has_value()), false, [&](FieldVisitor& at) {
+    at.object({.name = "pose_comparison", .on_lines = true}, [&](FieldVisitor& to) {
+      to.shown(Field("turning_length", "By it an error of angle weighs as one of position."),
+               shown.target.turning_length, forms::not_negative);
+      error_field(to, shown.miss.error);
+      to.shown(Field("position_max_at", "At which pose position_max is, from 1."), number(shown.position_max_at),
+               forms::count);
+      to.shown(Field("angle_max_at", "At which pose angle_max_deg is, from 1."), number(shown.angle_max_at),
+               forms::count);
+      tolerance_fields(to, shown.miss);
+      nearest_field(to, shown.miss);
+      way_fields(to, shown.drive, "The poses come in turn.");
     });
   });
 }
@@ -142,6 +170,7 @@ void fields(FieldVisitor& v, const LinkageAnalysis& of) {
     position_errors_field(to, of.linkage);
     instant_fields(to, of.instant);
     comparison_field(to, of.comparison);
+    pose_comparison_field(to, of.pose_comparison);
   });
 }
 

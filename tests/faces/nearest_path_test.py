@@ -115,7 +115,7 @@ class NearestPaths(FaceTest):
         table = self.write("points.csv", "0,0\n1,0\n1,1\n")
         self.assert_mistake(run("analyze", linkage, "--compare", table), "no point of the coupler")
         self.assertEqual(run("analyze", linkage, "--compare", table, "--point", "1,2")[0], 0)
-        self.assert_mistake(run("analyze", linkage, "--compare", ROOT / "examples/tailgate.json"), "no path")
+        self.assert_mistake(run("analyze", linkage, "--compare", ROOT / "examples/log_generator.json"), "neither a path nor poses")
         self.assert_mistake(run("analyze", linkage, "--compare", table, "--instant"), "one at a time")
         self.assert_mistake(run("analyze", linkage, "--point", "1,2"), "--instant or --compare")
         wrist = self.write("wrist.json", {"mechanism": "spherical_four_bar",

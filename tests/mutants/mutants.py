@@ -1,5 +1,5 @@
 #!/usr/bin/env python3
-"""Mutation test of what is dense with signs: classifiers, straight lines, sensitivities. Every wrong sign must be caught.
+"""Mutation test of what is dense with signs: classifiers, straight lines, sensitivities, fits. Every wrong sign must be caught.
 
 Builds a check with copies of a source in which one thing is wrong. The right source must agree everywhere with what the
 check knows of it, driving or the series of a motion; each mutant must not.
@@ -176,6 +176,103 @@ TIMED_FIT = [
     ("one coordinate left out", "TimedRow{y, off.imag()}", "TimedRow{y, off.real()}"),
 ]
 
+CURVE_FIT = [
+    # scan
+    ("driving dyad on the other side", "return {product(along, {at_pivot, up}), product(along, {at_point, R{} - a / r * up})};",
+     "return {product(along, {at_pivot, R{} - up}), product(along, {at_point, a / r * up})};"),
+    ("Freudenstein's equation", "return {dot(e, u), DyadReal<Width>{} - cross(e, u),", "return {dot(e, u), cross(e, u),"),
+    ("eigenvectors exchanged", "R{} - scale * q, v, scale * p, w", "scale * q, v, scale * p, w"),
+    ("law of cosines in lanes", "excess = (a - r) * (a + r)", "excess = (r - a) * (a + r)"),
+    ("sides at the farthest and the nearest point", "add_free(SidePattern::far_and_near, {far[0], near[0]}, sum, difference);", ";"),
+    ("sum and difference of the first dyad", "add({(s - d) / 2, (s + d) / 2, side, pattern})", "add({(s - d) / 2, (s - d) / 2, side, pattern})"),
+    ("side begins anew", "right ^= ~std::uint32_t{0} << first", "right |= std::uint32_t{1} << first"),
+    # second dyad
+    ("condition of a dyad", "triple_product(g.gamma, z.zeta, o.omega).imag()", "triple_product(g.gamma, z.zeta, o.omega).real()"),
+    ("pivot of the second dyad", "center = -v.gamma / (scale * input)", "center = v.gamma / (scale * input)"),
+    ("arm of the point", "return CouplerLinkage{pivot, pivot + center, input, h, 0, arm / h * std::conj(z)};",
+     "return CouplerLinkage{pivot, pivot + center, input, h, 0, arm / h * z};"),
+    ("second dyad at a place", "const Row row = {q.real(), -q.imag(), 1,", "const Row row = {q.real(), q.imag(), 1,"),
+    ("rating's driver", "(cross(one(j), other(j)) > 0) != side", "(cross(one(0), other(j)) > 0) != side"),
+    ("rating's sides", "((right >> j & 1) != 0 ? -1 : 1)", "((right >> j & 1) != 0 ? 1 : -1)"),
+    # least squares
+    ("residual slides away", "along = slide.slide, closure", "along = -slide.slide, closure"),
+    ("state slides back", "across * e - along * u, across * u + along * e", "across * e + along * u, across * u - along * e"),
+    ("loop by its output", "dot(g, at.e), dot(g, at.u), -linkage.b,", "dot(g, at.e), dot(g, at.u), linkage.b,"),
+    ("closure left out of the point's row", "point_rows[i] -= closure_row[i] * closure;", ";"),
+    ("point carried the other way", "iu = quarter_turn(at.u);", "iu = -quarter_turn(at.u);"),
+    # hinges
+    ("Grashof's excess", "std::array<double, 4> factors = {-1, -1, -1, -1};", "std::array<double, 4> factors = {1, 1, 1, 1};"),
+    ("link ratio", "factors[shortest] -= limits.max_link_ratio;", "factors[shortest] += limits.max_link_ratio;"),
+    ("ground link by its pivots", "{{-unit.real(), -unit.imag(), unit.real(), unit.imag()}, length}",
+     "{{unit.real(), unit.imag(), unit.real(), unit.imag()}, length}"),
+    ("turn of an input that is longer than the ground", "const double sign = g < a ? -1 : 1;", "const double sign = 1;"),
+    ("transmission by the closure", "- by_closure * slide.closure_row[i] +", "+ by_closure * slide.closure_row[i] +"),
+    ("branch left to the other side", "{-branch_weight * branch}", "{branch_weight * branch}"),
+    ("window's far side", "row.residual = pivot_weight * (place[i] - clamped);", "row.residual = pivot_weight * (clamped - place[i]);"),
+]
+
+CURVE_DRIVE = [
+    # realisations
+    ("third pivot", "all.push_back(from.cognate());", "all.push_back(from);"),
+    ("swapped realisation keeps its driver", "Realisation other{linkwright::swapped(linkage), {}, output, input};",
+     "Realisation other{linkwright::swapped(linkage), {}, input, output};"),
+    ("coupler of the cognate", "3 - static_cast<int>(input) - static_cast<int>(output)", "static_cast<int>(input)"),
+    ("largest distance", "if (weight == 0 || distance <= error.max) continue;", "if (weight == 0 || distance >= error.max) continue;"),
+    # driving
+    ("dead points of the coupler taken for the input's", "return {at.u, output};", "return {at.e, output};"),
+    ("a turn that is not full", "- 6.283185307179586) < 1e-3", "- 6.283185307179586) < 10"),
+    ("circuit's tangent", "Point{-loop.f_u / length, loop.f_e / length}", "Point{loop.f_u / length, loop.f_e / length}"),
+    ("any state on the circuit", "> reach * reach) return -1;", "> 1e9 * reach) return -1;"),
+    ("going back always noise", "is_noise = back < forward && path_between(to, front) <= noise_", "is_noise = back < forward"),
+    ("excursion", "std::max(drive.excursion, off)", "std::min(drive.excursion, off)"),
+    ("length of a closed path", "if (closed) return whole;", "if (closed) return 2 * whole;"),
+    ("turns between sparse states", "turn + two_pi * std::round((about - turn) / two_pi)", "turn"),
+    ("input's and output's verdicts exchanged", "drive.of(input).no_dead_point, drive.of(output).no_dead_point",
+     "drive.of(output).no_dead_point, drive.of(input).no_dead_point"),
+]
+
+POSE_FIT = [
+    # field
+    ("place of a body point", "{d.imag(), r.imag(), r.real()}", "{d.imag(), -r.imag(), r.real()}"),
+    ("square of a place", "{std::norm(d), 2 * turned.real(), -2 * turned.imag()}", "{std::norm(d), 2 * turned.real(), 2 * turned.imag()}"),
+    ("centre of the best circle", "0.5 * (s.yy * s.qx - s.xy * s.qy) / two", "0.5 * (s.yy * s.qx + s.xy * s.qy) / two"),
+    ("radius of the best circle", "mean_q - 2 * linkwright::dot(center, mean) +", "mean_q + 2 * linkwright::dot(center, mean) +"),
+    ("determinant of three", "qx * (qx * yy - xy * qy) + qy * (qx * xy - xx * qy)", "qx * (qx * yy - xy * qy) - qy * (qx * xy - xx * qy)"),
+    ("error over the radius", "std::sqrt(std::max(s.three() / two, 0.0)) / (2 * radius)", "std::sqrt(std::max(s.three() / two, 0.0)) / radius"),
+    ("weights of the scatter", "share = weights[j] / sum", "share = 1.0 / static_cast<double>(poses.size())"),
+    ("minima climbed", "const bool lower = now < value;", "const bool lower = now > value;"),
+    ("valleys from the top", "[](const auto& a, const auto& b) { return a.value < b.value; });\n  std::vector<Point> chosen;",
+     "[](const auto& a, const auto& b) { return a.value > b.value; });\n  std::vector<Point> chosen;"),
+    ("valleys apart", "if (std::none_of(chosen.begin(), chosen.end(), is_near)) chosen.push_back(place.z);", "chosen.push_back(place.z);"),
+    # pairs
+    ("error of a pair, mixed", "- 2 * mixed * one.error * other.error", "+ 2 * mixed * one.error * other.error"),
+    ("squares of a pair exchanged", "const double moved = other.square * one.error * one.error", "const double moved = one.square * one.error * one.error"),
+    ("turn of a dyad", "gradient{unit, cross(arm, unit) / turning_length}", "gradient{unit, cross(arm, unit) * turning_length}"),
+    # least squares
+    ("pivot in the body", "product(std::conj(axis), unit);\n  return", "product(axis, unit);\n  return"),
+    ("length of a link", "-0.5 * (1 + std::norm(unit))", "0.5 * (1 + std::norm(unit))"),
+    ("slide against its sense", "slide(-dot(along, off))", "slide(dot(along, off))"),
+    ("normal equations, mixed", "mixed = hold.share * two", "mixed = -hold.share * two"),
+    ("gradient of the first dyad", "ga = weight * (mixed * residual[1] - one * residual[0])", "ga = weight * (mixed * residual[1] + one * residual[0])"),
+    ("sine by the turn of the coupler", "-by_turn.real(),\n", "by_turn.real(),\n"),
+    ("sine by the output's length", "-sine / linkage.b,", "sine / linkage.b,"),
+    ("hinge of the coupler's length", "-by_h * unit.real(),", "by_h * unit.real(),"),
+    ("branch left to the other side", "entry *= -branch_weight * branch", "entry *= branch_weight * branch"),
+    # exact poses
+    ("exact poses weigh little more", "std::vector<double>{1e4, 1e7, 1e10, 1e13}", "std::vector<double>{}"),
+    ("exact poses weigh nothing", "for (const std::size_t j : exact) all[j] = factor;", ";"),
+    ("inexact answers listed", "if (!(fit.error.exact_residual <= most)) continue;", "if (fit.error.exact_residual <= most) continue;"),
+    ("exact poses compared as others", "target.is_exact(pose) ? exact : target.weight(pose)", "target.is_exact(pose) ? 0 : target.weight(pose)"),
+    # what is told
+    ("exact poses among the near ones", "error.exact_residual = std::max(error.exact_residual, std::sqrt(square));\n      continue;",
+     "error.exact_residual = std::max(error.exact_residual, std::sqrt(square));"),
+    ("turns do not count", "position_error + by_turn * by_turn", "position_error + by_turn"),
+    ("angle of a state", "pose.angle + turn}", "pose.angle - turn}"),
+    ("largest error", "if (square <= largest) continue;", "if (square > largest && largest >= 0) continue;"),
+    ("defective linkages listed", "if (!fit.drive.no_defects(false)) {", "if (fit.drive.no_defects(false)) {"),
+    ("driven by the output", "verdict(drive, CurveDriver::e, CurveDriver::g)", "verdict(drive, CurveDriver::g, CurveDriver::e)"),
+]
+
 STRAIGHT_LINE_CHECK = ["tests/mutants/straight_line_check.cpp", "tests/support/straight_line_tasks.cpp",
                        "tests/support/random_task.cpp"]
 
@@ -194,6 +291,20 @@ SUBJECTS = {
     "carried": ("src/loads/carried.cpp", ["src/loads/carried.hpp"],
                 ["tests/mutants/statics_check.cpp", "tests/support/random_four_bar.cpp"], CARRIED),
     "statics": ("src/loads/statics.cpp", ["src/loads/statics.hpp"], ["tests/mutants/statics_check.cpp", "tests/support/random_four_bar.cpp"], STATICS),
+    "curve fit": ("tests/mutants/curve_fit_units.cpp",
+                  [f"src/approximate/{name}" for name in
+                   ("curve_least_squares.cpp", "driving_dyads.cpp", "dyad_scan.cpp", "dyad_scan_lanes.hpp", "fit_hinges.cpp",
+                    "loop_slide.hpp", "pair_rating.cpp", "second_dyad_at.cpp")],
+                  ["tests/mutants/curve_fit_check.cpp", "tests/support/random_four_bar.cpp"], CURVE_FIT),
+    "curve drive": ("tests/mutants/curve_drive_units.cpp",
+                    [f"src/approximate/{name}" for name in
+                     ("circuit_drive.cpp", "coupler_circuit.cpp", "drive_verdict.cpp", "fit_result.cpp")],
+                    ["tests/mutants/curve_drive_check.cpp", "tests/support/random_four_bar.cpp"], CURVE_DRIVE),
+    "pose fit": ("tests/mutants/pose_fit_units.cpp",
+                 [f"src/approximate/{name}" for name in
+                  ("pose_field.cpp", "pose_field.hpp", "pose_fit.cpp", "pose_least_squares.cpp", "pose_pairs.cpp", "pose_result.cpp",
+                   "pose_search.cpp", "pose_target.cpp")],
+                 ["tests/mutants/pose_fit_check.cpp", "tests/support/random_four_bar.cpp"], POSE_FIT),
     "timed fit": ("src/approximate/timed_least_squares.cpp", [],
                   ["tests/mutants/fit_check.cpp", "tests/support/random_four_bar.cpp"], TIMED_FIT),
     "instant": ("src/infinitesimal/instant.cpp", [], STRAIGHT_LINE_CHECK, INSTANT),

@@ -108,6 +108,19 @@ TEST(NearPoses, TellWhatDoesNotGoWithThem) {
   EXPECT_NE(codes(task).find("task.poses[4].theta_deg"), std::string::npos);
 }
 
+// Directions of travel count as positions, so that of four exact ones and a near one only two poses may be distinct.
+TEST(NearPoses, AreComparedWithWhereTwoPosesAreDistinct) {
+  MotionTask task;
+  task.poses = {{{{0, 0}, 0}, {{{1, 0.3}, 0.5}}}, {{{3, 1}, 0.5}, {{{1, -0.3}, 0.4}}}};
+  task.near.push_back({{{0, 0}, 0}, 2, {}, {}});
+  ASSERT_EQ(codes(task), "");
+  const FourBar bars = {{0, 2}, {1, 0.5}, {4, 2}, {3, 0.5}};
+  const auto miss = NearPoses(task).miss_of(bars, task.poses.front().pose);
+  ASSERT_TRUE(miss);
+  EXPECT_EQ(miss->at.size(), 3u);
+  EXPECT_TRUE(std::isfinite(miss->error.rms) && std::isfinite(miss->error.exact_residual));
+}
+
 // What a map holds of its cells is what comparing each linkage by itself finds, wherever that takes all in turn.
 TEST(NearPoses, ErrorOfCellsIsThatOfTheLinkageDrivenThroughAllPoses) {
   const MotionTask task = tailgate();

@@ -85,6 +85,12 @@ class Linkage:
         absolute: bool,
         point: tuple[float, float] | None,
     ) -> tuple[str, str]: ...
+    def pose_comparison(
+        self,
+        poses: list[tuple[float, float, float]],
+        body: tuple[float, float, float] | None,
+        turning_length: float | None,
+    ) -> tuple[str, str]: ...
     def instant(
         self, point: tuple[float, float] | None, input_deg: float | None, input_acceleration: float
     ) -> tuple[str, str]: ...

@@ -135,29 +135,53 @@ class Linkage:
         closed: bool = False,
         timing: str = "relative",
         point: Sequence[float] | None = None,
+        body: Sequence[float] | None = None,
+        turning_length: float | None = None,
     ) -> Record:
-        """How near the path of its coupler point comes to points, on the circuit in which it lies: what
-        ``linkwright analyze --compare`` writes. Planar four-bars only.
+        """How near the path of its coupler point comes to points, or its body to poses, on the circuit in which it
+        lies: what ``linkwright analyze --compare`` writes. Planar four-bars only.
 
         Args:
-            points: n × 2, in the order in which they are passed, three or more; user's unit.
+            points: n × 2, in the order in which they are passed, three or more; user's unit. Or poses, n × 3: x, y and
+                theta_deg.
             input_deg: the angle of the input link at each point, degrees; None: whatever the timing.
             closed: the path goes on from the last point to the first.
             timing: of ``input_deg``: ``"relative"``, from any datum and in either sense, or ``"absolute"``, from the x axis.
             point: of the coupler as the linkage lies, (x, y), instead of its own.
+            body: with poses: where the body is as the linkage lies, (x, y, theta_deg); None: in the first of the poses
+                that it passes.
+            turning_length: with poses: by it an error of angle weighs as one of position; None: the characteristic
+                length of the poses.
 
         Raises:
-            ProblemError: fewer than three different points, no coupler point, angles that its input does not reach, ….
+            ProblemError: fewer than three different points or poses, no coupler point, nothing that says where the body
+                is, angles that its input does not reach, ….
         """
         if timing not in ("relative", "absolute"):
             raise ValueError(f"timing is 'relative' or 'absolute', not {timing!r}")
-        places = [(float(x), float(y)) for x, y in points]
+        rows = [tuple(float(number) for number in row) for row in points]
+        says_poses = bool(rows) or body is not None or turning_length is not None
+        if says_poses and all(len(row) == 3 for row in rows):
+            if input_deg is not None or closed or point is not None:
+                raise ValueError("input_deg, closed and point go with points, not with poses")
+            return self._compare_poses(rows, body, turning_length)
+        if body is not None or turning_length is not None:
+            raise ValueError("body and turning_length go with poses, not with points")
+        places = [(x, y) for x, y in rows]
         angles = [] if input_deg is None else [float(angle) for angle in input_deg]
         if angles and len(angles) != len(places):
             raise ValueError(f"{len(angles)} angles are given for {len(places)} points")
         pair = None if point is None else (float(point[0]), float(point[1]))
         text, svg = self._native.comparison(places, angles, closed, timing == "absolute", pair)
         return record_of(json.loads(text)["comparison"], lambda: svg)
+
+    def _compare_poses(self, poses: list[Any], body: Sequence[float] | None, turning_length: float | None) -> Record:
+        lies = None
+        if body is not None:
+            x, y, theta_deg = body
+            lies = (float(x), float(y), float(theta_deg))
+        text, svg = self._native.pose_comparison(poses, lies, turning_length)
+        return record_of(json.loads(text)["pose_comparison"], lambda: svg)
 
     def instant(
         self,

@@ -98,6 +98,24 @@ std::pair<std::string, std::string> comparison(const Linkage& linkage, const std
   return {write_analysis(analysis), draw_comparison(*stored, *analysis.comparison)};
 }
 
+/// Likewise; poses are x, y and degrees.
+std::pair<std::string, std::string> pose_comparison(const Linkage& linkage,
+                                                    const std::vector<std::array<double, 3>>& poses,
+                                                    const std::optional<std::array<double, 3>>& body,
+                                                    const std::optional<double>& turning_length) {
+  const auto* stored = std::get_if<StoredLinkage>(&linkage.stored);
+  if (stored == nullptr)
+    throw CallersMistakes{
+        {{"comparison_of_a_plane", "mechanism", "bodies of planar four-bars are compared with poses"}}};
+  const auto pose_of = [](const std::array<double, 3>& given) { return Pose{{given[0], given[1]}, radians(given[2])}; };
+  std::vector<Pose> all;
+  for (const auto& pose : poses) all.push_back(pose_of(pose));
+  const std::optional<Pose> lies = body ? std::optional(pose_of(*body)) : std::nullopt;
+  LinkageAnalysis analysis = analyze(*stored);
+  analysis.pose_comparison = value_of(compare_with_poses(*stored, lies, value_of(compared_poses(all, turning_length))));
+  return {write_analysis(analysis), draw_comparison(*stored, *analysis.pose_comparison)};
+}
+
 std::pair<std::string, std::string> instant_of_problem(const std::string& text, const std::optional<Pair>& point) {
   const PrescribedInstant found = value_of(prescribed_instant(value_of(read_problem(text)), point_of(point)));
   return {write_instant(found), found.analysis.instant ? draw_instant(found) : ""};
@@ -188,6 +206,11 @@ void bind_linkages(py::module_& module) {
            [](const Linkage& linkage, const std::vector<Pair>& points, const std::vector<double>& input_deg,
               bool closed, bool absolute, const std::optional<Pair>& point) {
              return without_gil([&] { return comparison(linkage, points, input_deg, closed, absolute, point); });
+           })
+      .def("pose_comparison",
+           [](const Linkage& linkage, const std::vector<std::array<double, 3>>& poses,
+              const std::optional<std::array<double, 3>>& body, const std::optional<double>& turning_length) {
+             return without_gil([&] { return pose_comparison(linkage, poses, body, turning_length); });
            })
       .def("instant", [](const Linkage& linkage, const std::optional<Pair>& point, std::optional<double> input_deg,
                          double input_acceleration) {

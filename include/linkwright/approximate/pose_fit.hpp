@@ -17,7 +17,7 @@ namespace linkwright {
 /// Poses that a body on the coupler is to pass as near as it can, in their order, some of them exactly. User's frame
 /// and unit.
 struct PoseTarget {
-  std::vector<Pose> poses;         ///< finite, three or more of them distinct
+  std::vector<Pose> poses;         ///< finite, one at least; to be fitted to, three or more of them distinct
   std::vector<double> weights;     ///< of the squared errors, ≥ 0, one to each pose, not all 0; empty: 1 each
   std::vector<std::size_t> exact;  ///< indices of poses that are passed exactly, rising; five at most
   double turning_length = 1;       ///< > 0: an error of angle by 1 radian weighs as one of position by this
@@ -107,7 +107,7 @@ struct PoseFits {
 
 /// How near any four-bar carries a body to poses, on the circuit in which it lies; `body` is where the body is as the
 /// bars lie. To each pose belongs a state, such that all come in turn and the sum of squares is least. Nothing where a
-/// link has no length or the bars cannot be moved.
+/// link has no length or the bars cannot be moved. `target`: as PoseTarget says, asserted; one pose is enough.
 [[nodiscard]] std::optional<PoseFit> compare_with_poses(const FourBar& bars, const Pose& body, const PoseTarget& target,
                                                         const PoseFitOptions& options = {});
 

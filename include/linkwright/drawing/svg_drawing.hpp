@@ -51,4 +51,7 @@ namespace linkwright {
 /// A linkage and points that its path is compared with (SVG, 1000 × 800): from each point the way to where the path is.
 [[nodiscard]] std::string draw_comparison(const StoredLinkage& linkage, const PathComparison& comparison);
 
+/// The same with poses that its body is compared with: the frame in each of them, and the way of its origin.
+[[nodiscard]] std::string draw_comparison(const StoredLinkage& linkage, const PoseComparison& comparison);
+
 }  // namespace linkwright

@@ -5,6 +5,7 @@
 #include "linkwright/files/comparison_file.hpp"
 #include "linkwright/files/instant_file.hpp"
 #include "linkwright/files/linkage_file.hpp"
+#include "linkwright/files/pose_comparison_file.hpp"
 #include "linkwright/mechanism/four_bar_analysis.hpp"
 
 namespace linkwright {
@@ -12,8 +13,9 @@ namespace linkwright {
 /// The analysis of a four-bar and the file that it came from.
 struct LinkageAnalysis : FourBarAnalysis {
   StoredLinkage linkage;
-  std::optional<LinkageInstant> instant{};     ///< where it is asked for
-  std::optional<PathComparison> comparison{};  ///< likewise
+  std::optional<LinkageInstant> instant{};          ///< where it is asked for
+  std::optional<PathComparison> comparison{};       ///< likewise
+  std::optional<PoseComparison> pose_comparison{};  ///< likewise
 };
 
 /// What is asked of one instant of a linkage.

@@ -67,7 +67,8 @@ using XmlElements = std::vector<XmlElement>;
 /// So many points evenly along a shape as it is drawn; of an open one with both ends.
 [[nodiscard]] std::vector<Point> points_along(const DrawnShape& shape, int count);
 
-/// The same from a file of at most 16 MB whose name ends in .dxf or .svg, or in .csv: read_point_table().
+inline constexpr std::size_t max_drawing_bytes = 16'000'000;
+/// The same from a file of at most that size whose name ends in .dxf or .svg, or in .csv: read_point_table().
 [[nodiscard]] Result<Drawing> read_outlines_file(const std::filesystem::path& path);
 
 /// Lengths in a unit of that name to the drawing's unit; 1 where one of the two is not known.

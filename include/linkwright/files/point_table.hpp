@@ -5,6 +5,7 @@
 
 #include "linkwright/algebra/point.hpp"
 #include "linkwright/core/result.hpp"
+#include "linkwright/mechanism/pose.hpp"
 
 namespace linkwright {
 
@@ -13,5 +14,10 @@ namespace linkwright {
 /// empty lines and those that begin with # are left out. Three points at least, 100 000 at most. Mistakes, by lines:
 /// `table_decimal_comma`, `table_columns`, `table_number`, `table_of_too_few`, `table_of_too_much`.
 [[nodiscard]] Result<std::vector<Point>> read_point_table(std::string_view text);
+
+/// Poses likewise, "x,y,theta_deg" a line: the place of a frame's origin and its angle in degrees.
+[[nodiscard]] Result<std::vector<Pose>> read_pose_table(std::string_view text);
+/// Whether the first line below the heading has three columns.
+[[nodiscard]] bool is_pose_table(std::string_view text);
 
 }  // namespace linkwright

@@ -5,6 +5,7 @@
 #include "drawing/palette.hpp"
 #include "drawing/sheet.hpp"
 #include "linkage_figure.hpp"
+#include "linkwright/core/angle.hpp"
 #include "linkwright/drawing/svg_drawing.hpp"
 #include "linkwright/files/number_text.hpp"
 
@@ -46,6 +47,48 @@ void draw_comparison_scene(SvgCanvas& svg, const PathComparison& comparison, std
   svg.end_group();
 }
 
+void draw_pose_scene(SvgCanvas& svg, const PoseComparison& comparison, std::string_view unit) {
+  constexpr double margin = 60;
+  const FourBar& bars = comparison.bars;
+  const Point origin = comparison.miss.at.front().body.origin;
+  const std::vector<Point> path = path_of_cycle(bars, origin);
+  std::vector<Point> seen = {bars.input_fixed, bars.input_moving, bars.output_fixed, bars.output_moving};
+  for (const Pose& pose : comparison.target.poses) seen.push_back(pose.origin);
+  for (const NearMiss::Nearest& at : comparison.miss.at) seen.push_back(at.body.origin);
+  const PlaneWindow window(comparison_scene, seen, margin);
+  svg.begin_clip(comparison_scene.corner(), comparison_scene.width, comparison_scene.height);
+  draw_grid(svg, window);
+  draw_body(svg, window, bars, origin);
+  draw_traced_path(svg, window, path, true);
+  draw_bars(svg, window, bars);
+  for (std::size_t j = 0; j < comparison.target.poses.size(); ++j)
+    draw_pose(svg, window, comparison.target.poses[j], j + 1, j == 0);
+  draw_pins(svg, window, bars);
+  for (const NearMiss::Nearest& at : comparison.miss.at) {
+    const Point there = window.to_px(at.body.origin);
+    svg.line(window.to_px(comparison.target.poses[at.pose].origin), there, stroke(palette::bad, 2));
+    constexpr double arm = 40;
+    svg.line(there, there + arm * std::conj(direction(at.body.angle)), stroke(palette::bad, 1.4));
+  }
+  draw_scale_bar(svg, window, {comparison_scene.left + 24, comparison_scene.bottom() - 18}, unit);
+  svg.end_group();
+}
+
+void draw_pose_strip(SvgCanvas& svg, const PoseComparison& comparison, std::string_view unit) {
+  draw_card(svg, comparison_strip, "");
+  const PoseFitError& error = comparison.miss.error;
+  const auto length = [&](double value) { return fmt::format("{} {}", significant_text(value, 4), unit); };
+  const auto angle = [](double radians) { return significant_text(degrees(radians), 3) + "°"; };
+  NumberRows positions(svg, comparison_strip.corner() + Point{18, -9}, 400);
+  positions.row("root mean square distance", length(error.position_rms));
+  positions.row(fmt::format("largest, at pose {}", comparison.position_max_at + 1), length(error.position_max));
+  positions.row("root mean square error", length(error.rms));
+  NumberRows angles(svg, comparison_strip.corner() + Point{480, -9}, 440);
+  angles.row("root mean square turn", angle(error.angle_rms));
+  angles.row(fmt::format("largest, at pose {}", comparison.angle_max_at + 1), angle(error.angle_max));
+  angles.row("turning length", length(comparison.target.turning_length));
+}
+
 void draw_comparison_strip(SvgCanvas& svg, const PathComparison& comparison, std::string_view unit) {
   draw_card(svg, comparison_strip, "");
   const CurveError& error = comparison.path.error;
@@ -68,6 +111,15 @@ std::string draw_comparison(const StoredLinkage& linkage, const PathComparison& 
   draw_card(svg, comparison_card, "");
   draw_comparison_scene(svg, comparison, linkage.length_unit);
   draw_comparison_strip(svg, comparison, linkage.length_unit);
+  return svg.file();
+}
+
+std::string draw_comparison(const StoredLinkage& linkage, const PoseComparison& comparison) {
+  SvgCanvas svg = linkage_sheet::begin(linkage.title.empty() ? "Four-bar linkage" : linkage.title,
+                                       fmt::format("compared with {} poses", comparison.miss.at.size()));
+  draw_card(svg, comparison_card, "");
+  draw_pose_scene(svg, comparison, linkage.length_unit);
+  draw_pose_strip(svg, comparison, linkage.length_unit);
   return svg.file();
 }
 

@@ -11,8 +11,6 @@
 namespace linkwright {
 namespace {
 
-constexpr std::size_t most_bytes = 16'000'000;
-
 std::string line_of(std::string_view text, std::ptrdiff_t offset) {
   const std::string_view before = text.substr(0, static_cast<std::size_t>(std::max<std::ptrdiff_t>(offset, 0)));
   return fmt::format("line {}", 1 + std::count(before.begin(), before.end(), '\n'));
@@ -55,7 +53,7 @@ Result<Drawing> read_outlines_file(const std::filesystem::path& path) {
   if (ending != ".dxf" && ending != ".svg" && ending != ".csv")
     return Error{"unknown_drawing", "",
                  "an outline is read from a drawing whose name ends in .dxf or .svg, or from a table of points, .csv"};
-  const auto text = read_text_file(path, most_bytes);
+  const auto text = read_text_file(path, max_drawing_bytes);
   if (!text)
     return text.errors().front().code == "file_too_large" ? Result<Drawing>(drawing_of_too_much()) : text.errors();
   if (ending == ".csv") {

@@ -1,6 +1,7 @@
 #include "linkwright/files/point_table.hpp"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <cstdlib>
 #include <fmt/format.h>
@@ -9,11 +10,20 @@
 
 #include "core/number_check.hpp"
 #include "files/text/plain_text.hpp"
+#include "linkwright/core/angle.hpp"
 
 namespace linkwright {
 namespace {
 
 constexpr std::size_t most_table_points = 100'000;
+
+// What a line is to be.
+struct TableForm {
+  std::size_t columns;
+  std::string_view rows, names, example;
+};
+constexpr TableForm of_points{2, "points", "x and y", "12.5,-3"};
+constexpr TableForm of_poses{3, "poses", "x, y and theta_deg", "12.5,-3,90"};
 
 // What stands between the numbers of a line, the strictest that is there.
 char separator_of(std::string_view line) {
@@ -53,56 +63,105 @@ Error mistake_of_line(std::string_view code, std::size_t line, const std::string
   return {std::string(code), fmt::format("line {}", line), sentence, std::move(values)};
 }
 
-Result<Point> point_of_line(std::string_view line, std::size_t number) {
+using Row = std::array<double, 3>;
+
+Result<Row> row_of_line(std::string_view line, std::size_t number, const TableForm& form) {
   const std::vector<std::string_view> columns = columns_of(line);
-  if (columns.size() == 4 && separator_of(line) == ',')
+  if (columns.size() == 2 * form.columns && separator_of(line) == ',')
     return mistake_of_line("table_decimal_comma", number,
-                           "four numbers stand here, as where commas are decimal ones; write decimal points, or "
-                           "semicolons between the numbers");
-  if (columns.size() != 2)
+                           fmt::format("{} numbers stand here, as where commas are decimal ones; write decimal points, "
+                                       "or semicolons between the numbers",
+                                       columns.size()));
+  if (columns.size() != form.columns)
     return mistake_of_line("table_columns", number,
-                           fmt::format("{} column{} here; a line has two, x and y", columns.size(),
-                                       columns.size() == 1 ? " stands" : "s stand"),
+                           fmt::format("{} column{} here; a line has {}, {}", columns.size(),
+                                       columns.size() == 1 ? " stands" : "s stand", form.columns, form.names),
                            {{"count", static_cast<double>(columns.size())}});
-  const auto x = whole_number(columns[0]), y = whole_number(columns[1]);
-  if (!x || !y)
-    return mistake_of_line("table_number", number, "a number is missing here; a line is x and y, as in 12.5,-3");
-  if (!(std::abs(*x) <= largest_coordinate && std::abs(*y) <= largest_coordinate))
-    return mistake_of_line("table_number", number, "a number is missing here; a line is x and y, as in 12.5,-3");
-  return Point{*x, *y};
+  Row row{};
+  for (std::size_t k = 0; k < form.columns; ++k) {
+    const auto value = whole_number(columns[k]);
+    if (!value || !(std::abs(*value) <= largest_coordinate))
+      return mistake_of_line("table_number", number,
+                             fmt::format("a number is missing here; a line is {}, as in {}", form.names, form.example));
+    row[k] = *value;
+  }
+  return row;
 }
 
 bool is_heading(std::string_view line) { return !whole_number(columns_of(line).front()); }
 
-}  // namespace
+// Takes the next line that counts from a text; nothing at its end.
+class TableLines {
+ public:
+  explicit TableLines(std::string_view text) : text_(text) {
+    constexpr std::string_view mark = "\xEF\xBB\xBF";
+    if (text_.substr(0, mark.size()) == mark) text_.remove_prefix(mark.size());
+  }
+  [[nodiscard]] std::optional<std::string_view> next() {
+    while (!text_.empty()) {
+      const std::size_t end = text_.find_first_of("\n\r");
+      const std::string_view line = trimmed(text_.substr(0, end));
+      const bool is_pair = end != std::string_view::npos && text_.substr(end, 2) == "\r\n";
+      text_.remove_prefix(end == std::string_view::npos ? text_.size() : end + (is_pair ? 2 : 1));
+      ++number_;
+      if (!line.empty() && line.front() != '#') return line;
+    }
+    return std::nullopt;
+  }
+  [[nodiscard]] std::size_t number() const { return number_; }  ///< of the line that was taken last, from 1
 
-Result<std::vector<Point>> read_point_table(std::string_view text) {
-  constexpr std::string_view mark = "\xEF\xBB\xBF";
-  if (text.substr(0, mark.size()) == mark) text.remove_prefix(mark.size());
-  std::vector<Point> points;
+ private:
+  std::string_view text_;
+  std::size_t number_ = 0;
+};
+
+Result<std::vector<Row>> read_table(std::string_view text, const TableForm& form) {
+  TableLines lines(text);
+  std::vector<Row> rows;
   bool began = false;
-  for (std::size_t number = 1; !text.empty(); ++number) {
-    const std::size_t end = text.find_first_of("\n\r");
-    const std::string_view line = trimmed(text.substr(0, end));
-    const bool is_pair = end != std::string_view::npos && text.substr(end, 2) == "\r\n";
-    text.remove_prefix(end == std::string_view::npos ? text.size() : end + (is_pair ? 2 : 1));
-    if (line.empty() || line.front() == '#') continue;
-    const bool heads = !began && is_heading(line);
+  while (const auto line = lines.next()) {
+    const bool heads = !began && is_heading(*line);
     began = true;
     if (heads) continue;
-    const auto point = point_of_line(line, number);
-    if (!point) return point.errors();
-    points.push_back(*point);
-    if (points.size() > most_table_points)
+    const auto row = row_of_line(*line, lines.number(), form);
+    if (!row) return row.errors();
+    rows.push_back(*row);
+    if (rows.size() > most_table_points)
       return Error{"table_of_too_much",
                    "",
-                   fmt::format("a table of points has {} lines at most; leave some out", most_table_points),
+                   fmt::format("a table of {} has {} lines at most; leave some out", form.rows, most_table_points),
                    {{"most", static_cast<double>(most_table_points)}}};
   }
   constexpr std::size_t fewest = 3;
-  if (points.size() < fewest)
-    return Error{"table_of_too_few", "", "a table of points has three lines of x,y at least; add points"};
+  if (rows.size() < fewest)
+    return Error{"table_of_too_few", "",
+                 fmt::format("a table of {0} has three lines of {1} at least; add {0}", form.rows, form.names)};
+  return rows;
+}
+
+}  // namespace
+
+Result<std::vector<Point>> read_point_table(std::string_view text) {
+  const auto rows = read_table(text, of_points);
+  if (!rows) return rows.errors();
+  std::vector<Point> points;
+  for (const Row& row : *rows) points.emplace_back(row[0], row[1]);
   return points;
+}
+
+Result<std::vector<Pose>> read_pose_table(std::string_view text) {
+  const auto rows = read_table(text, of_poses);
+  if (!rows) return rows.errors();
+  std::vector<Pose> poses;
+  for (const Row& row : *rows) poses.push_back({{row[0], row[1]}, radians(row[2])});
+  return poses;
+}
+
+bool is_pose_table(std::string_view text) {
+  TableLines lines(text);
+  auto line = lines.next();
+  if (line && is_heading(*line)) line = lines.next();
+  return line && columns_of(*line).size() == of_poses.columns;
 }
 
 }  // namespace linkwright
