@@ -49,6 +49,9 @@ struct SampledTask {
 /// Random tasks of five orientations and their dyads (fixed, moving axis) as JSON, for PHCpack.
 [[nodiscard]] std::string dump_five_orientations(int count);
 
+/// Points of the closed paths that are drawn at random, and the types of their linkages, as JSON, for the peer.
+[[nodiscard]] std::string dump_curves();
+
 /// As ns_per_task, the processor's time, as the peer's is: on a machine that others use, too, the clock on the wall
 /// says little.
 template <class Body>
@@ -57,6 +60,14 @@ void time_tasks(benchmark::State& state, int count, const Body& body) {
   for (auto _ : state) body();
   const double taken = 1e9 * static_cast<double>(std::clock() - begin) / CLOCKS_PER_SEC;
   state.counters["ns_per_task"] = taken / (static_cast<double>(count) * static_cast<double>(state.iterations()));
+}
+
+/// Milliseconds of the processor that a body takes.
+template <class Body>
+[[nodiscard]] double processor_ms(const Body& body) {
+  const std::clock_t begin = std::clock();
+  body();
+  return 1e3 * static_cast<double>(std::clock() - begin) / CLOCKS_PER_SEC;
 }
 
 }  // namespace linkwright::bench

@@ -5,6 +5,7 @@
 // linkwright_bench --dump-tolerances SAMPLES   a linkage, its tolerances, and how far its samples are off
 // linkwright_bench --dump-path SAMPLES   places of arms and the number of their linkages; four-bars between two pivots
 // linkwright_bench --dump-loads SAMPLES   linkages of a map, what acts on them, and the forces of the hand
+// linkwright_bench --dump-curves           closed paths drawn at random, and the types of their linkages
 // linkwright_bench --dump-five COUNT       random tasks of five poses and their Burmester points, JSON, for the peer
 // linkwright_bench --dump-five-orientations COUNT      the same of five orientations and their dyads
 
@@ -46,6 +47,10 @@ int main(int argc, char** argv) {
   }
   if (argc == 3 && std::string_view(argv[1]) == "--dump-path") {
     fmt::print("{}\n", linkwright::bench::dump_path(std::atoi(argv[2])));
+    return 0;
+  }
+  if (argc == 2 && std::string_view(argv[1]) == "--dump-curves") {
+    fmt::print("{}\n", linkwright::bench::dump_curves());
     return 0;
   }
   benchmark::Initialize(&argc, argv);

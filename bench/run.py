@@ -5,7 +5,7 @@ dyads of five poses and of five orientations beside PHCpack, in one run: script/
 The two take turns, so that what else the machine does hits both; a ratio within a run counts, an absolute figure does
 not. Options of Google Benchmark (--benchmark_filter=…) run the benchmarks alone.
 
-usage: run.py linkwright_bench [--rounds N] [--samples N] [--save FILE]
+usage: run.py linkwright_bench [--rounds N] [--samples N] [--fits] [--save FILE]
 """
 
 import argparse
@@ -16,7 +16,8 @@ import statistics
 import subprocess
 import sys
 
-from peers import (burmester_phc, fit_scipy, five_orientations_phc, loads_numpy, path_numpy, path_phc, phc, region_numpy, sphere_numpy,
+import fits
+from peers import (burmester_phc, five_orientations_phc, loads_numpy, path_numpy, path_phc, phc, region_numpy, sphere_numpy,
                    straight_line_numpy, tolerances_numpy)
 
 TASKS = ("landing_gear", "drawer_hinge", "tailgate")
@@ -29,6 +30,7 @@ def parse(arguments):
     parser.add_argument("--samples", type=int, default=1000, help="N of the N×N region (default 1000; 100 … 10000)")
     parser.add_argument("--five", type=int, default=1000, help="tasks of five poses for phc, 25 ms each (default 1000)")
     parser.add_argument("--five-orientations", type=int, default=20, help="the same of orientations (default 20; 1000 for a check)")
+    parser.add_argument("--fits", action="store_true", help="fitted paths and motions alone")
     parser.add_argument("--save", metavar="FILE", help="write the figures as JSON, as bench/results/region.json")
     return parser.parse_known_args(arguments)
 
@@ -268,29 +270,26 @@ def print_path_figures(figures):
         print(f"  phc -b: {min(theirs['ms']):.0f} ms, {min(theirs['ms']) / ours:.0f}×; real ones differ by {theirs['worst_difference']:.1e}")
 
 
-def fit_figures(bench, seconds=10):
-    """Paths near published points: sum of squares and milliseconds of the processor by effort, and what scipy finds from random
-    starts in some seconds."""
-    figures = {}
-    for name, entry in run_benchmarks(bench, "^fit/").items():
-        _, target, effort = name.split("/")
-        figures.setdefault(target, {})[effort] = {"sum_of_squares": entry["sum_of_squares"], "ms": entry["cpu_time"]}
-    folder = os.path.join(os.path.dirname(os.path.abspath(__file__)), "../data/approximate")
-    for target, of in figures.items():
-        best, starts = fit_scipy.measure(f"{folder}/{target}.json", seconds)
-        of["scipy"] = {"sum_of_squares": best, "ms": 1e3 * seconds, "starts": starts}
-    return figures
+def fit_figures(bench):
+    """Paths and motions fitted, and their peers."""
+    curves = json.loads(subprocess.run([bench, "--dump-curves"], check=True, capture_output=True, text=True).stdout)
+    return fits.figures(lambda pattern: run_benchmarks(bench, pattern), curves)
 
 
-def print_fit_figures(figures):
-    print("\nnearest paths: sum of squares and ms of the processor; scipy's needs no linkage that can be driven")
-    for target, of in figures.items():
-        cells = (f"{name} {each['sum_of_squares']:.5g} in {each['ms']:.0f}" for name, each in of.items())
-        print(f"  {target:<12}" + ", ".join(cells) + f" ({of['scipy']['starts']} starts)")
+def only_fits(options):
+    """The table of fits by itself."""
+    print(f"{processor()}, {os.cpu_count()} threads")
+    of = fit_figures(options.bench)
+    fits.print_figures(of)
+    if options.save:
+        write(options.save, {"machine": processor(), "threads": os.cpu_count(), "fits": of})
+    return 0
 
 
 def main(arguments):
     options, rest = parse(arguments)
+    if options.fits:
+        return only_fits(options)
     if rest:
         os.execv(options.bench, [options.bench, *rest])
     dumps = {task: json.loads(subprocess.run([options.bench, "--dump", task, str(options.samples)], check=True,
@@ -325,11 +324,11 @@ def main(arguments):
     print_load_figures(loads)
     paths = path_figures(options.bench, options.rounds)
     print_path_figures(paths)
-    fits = fit_figures(options.bench)
-    print_fit_figures(fits)
+    fitted = fit_figures(options.bench)
+    fits.print_figures(fitted)
     five = {
         "paths": paths,
-        "nearest_paths": fits,
+        "fits": fitted,
         "sphere": sphere,
         "straight_lines": lines,
         "tolerances": tolerances,
@@ -357,8 +356,12 @@ def save(options, table, sizes, roofline, page, five):
         "page_ms": page,
         **five,
     }
-    os.makedirs(os.path.dirname(options.save) or ".", exist_ok=True)
-    with open(options.save, "w", encoding="utf-8") as file:
+    write(options.save, figures)
+
+
+def write(path, figures):
+    os.makedirs(os.path.dirname(path) or ".", exist_ok=True)
+    with open(path, "w", encoding="utf-8") as file:
         json.dump(figures, file, indent=1)
         file.write("\n")
 

@@ -2,8 +2,9 @@
 """Paths near points by scipy: the peer of fit_curve().
 
 Least squares from random four-bars, with the crank's angle at each point an unknown beside the nine dimensions (trust-region
-reflective, sparse Jacobian left to finite differences in groups), until a time is over. The best sum of squares that it finds is
-told; that the linkage can be driven along the points is not asked of it.
+reflective, sparse Jacobian left to finite differences in groups), until a time is over; where the crank's angles are given, with
+their datum the tenth unknown. The best sum of squares that it finds is told; that the linkage can be driven along the points is not
+asked of it.
 
 usage: fit_scipy.py TARGET.json [SECONDS]
 """
@@ -43,19 +44,26 @@ def pattern(count):
     return sparsity
 
 
-def fitted(points, seconds, seed=1):
-    """Least sum of squares found in the time, user's unit, and the number of starts."""
+def fitted(points, seconds, input_deg=None, seed=1):
+    """Least sum of squares found in the time, user's unit, and the number of starts. `input_deg`: turns of the crank to each point,
+    whose datum and sense are free."""
     middle = points.mean()
     size = np.sqrt(np.mean(np.abs(points - middle) ** 2))
     scaled, random = (points - middle) / size, np.random.default_rng(seed)
     best, starts, until = np.inf, 0, time.process_time() + seconds
-    sparsity = pattern(len(points))
+    sparsity = None if input_deg else pattern(len(points))
+    turns = np.radians(input_deg) if input_deg else np.arange(len(points)) * 2 * np.pi / len(points)
     while time.process_time() < until:
         starts += 1
         start = np.concatenate([random.normal(0, 2, 4), np.exp(random.normal(0, 0.7, 3)), random.normal(0, 1.5, 2)])
-        phase = random.uniform(0, 2 * np.pi) + random.choice([-1, 1]) * np.arange(len(points)) * 2 * np.pi / len(points)
+        datum, sense = random.uniform(0, 2 * np.pi), random.choice([-1, 1])
+        if input_deg:
+            of = lambda x, points, sense=sense: residuals(np.append(x[:9], x[9] + sense * turns), points)
+            begin = np.append(start, datum)
+        else:
+            of, begin = residuals, np.append(start, datum + sense * turns)
         try:
-            found = least_squares(residuals, np.concatenate([start, phase]), args=(scaled,), jac_sparsity=sparsity, max_nfev=120)
+            found = least_squares(of, begin, args=(scaled,), jac_sparsity=sparsity, max_nfev=120)
         except ValueError:
             continue
         best = min(best, 2 * found.cost * size**2)
@@ -63,8 +71,8 @@ def fitted(points, seconds, seed=1):
 
 
 def measure(path, seconds):
-    points = json.load(open(path, encoding="utf-8"))["points"]
-    return fitted(np.array([complex(*point) for point in points]), seconds)
+    of = json.load(open(path, encoding="utf-8"))
+    return fitted(np.array([complex(*point) for point in of["points"]]), seconds, of.get("input_deg"))
 
 
 if __name__ == "__main__":

@@ -45,7 +45,21 @@ TEST_P(PublishedTarget, IsFittedAsWellAsIsKnown) {
 }
 
 INSTANTIATE_TEST_SUITE_P(Of, PublishedTarget,
-                         ::testing::Values("mkh2", "mkh3", "yu1", "yu2", "tri24", "gait13", "wu3_open"));
+                         ::testing::Values("mkh2", "mkh3", "yu1", "yu2", "tri24", "gait13", "wu3_open", "mcgarva",
+                                           "ullah", "slice11"));
+
+// Of nine points on an ellipse: the elliptic trammel is exact, and ever longer links come ever nearer to it.
+TEST(CurveFit, LongerLinksComeNearerToAnEllipse) {
+  const CurveTarget target = testing::curve_case("ell10").target;
+  const auto error = [&](double max_length) {
+    CurveFitOptions options;
+    options.max_length = max_length / target.diagonal();
+    return fit_curve(target, options).fits.front().error.sum_of_squares;
+  };
+  EXPECT_LE(error(60), 1.002 * 1.2118e-3);
+  EXPECT_LE(error(80), 1.002 * 4.0507e-4);
+  EXPECT_LE(error(400), error(80));
+}
 
 TEST(CurveFit, FindsExactClosedCurvesAgain) {
   int exact = 0;
