@@ -60,7 +60,7 @@ class Search {
       : target_(target),
         options_(options),
         progress_(progress),
-        effort_(search_effort(options.effort)),
+        effort_(search_effort(options.effort, target.closed)),
         chosen_(target.chosen_points()),
         chosen_weights_(target.chosen_weights()),
         limits_(limits),
@@ -196,14 +196,16 @@ class Search {
 
 }  // namespace
 
-SearchEffort search_effort(FitEffort effort) {
+SearchEffort search_effort(FitEffort effort, bool closed) {
+  // Closed paths of double cranks are nearly circles, and least squares creep from most starts.
+  const std::size_t creeping = closed ? 30 : 7;
   switch (effort) {
     case FitEffort::quick:
       return {350, 160, 20, 6, 5, 1500, 40};
     case FitEffort::deep:
       return {22400, 12800, 480, 160, 24, 10000, 2000};
     default:
-      return {1400, 800, 60, 20, 7, 4000, 150};
+      return {1400, 800, 60, 20, creeping, 4000, 150};
   }
 }
 

@@ -79,6 +79,15 @@ PoseFits sorted_out(std::vector<PoseFit> all, const PoseTarget& target, const Po
   return found;
 }
 
+// A linkage with a defect comes nearer than those without: one of these may yet be found from it.
+bool is_kept_off_by_defects(const PoseFits& found, const PoseTarget& target, const PoseFitOptions& options) {
+  if (found.fits.empty()) return true;
+  constexpr double nearer = 0.98;
+  return options.effort != FitEffort::quick && found.smallest_with_defects &&
+         measured(*found.smallest_with_defects, target, options.measure) <
+             nearer * measured(found.fits.front(), target, options.measure);
+}
+
 }  // namespace
 
 PoseFits fit_poses(const PoseTarget& target, const PoseFitOptions& options, const Progress& progress) {
@@ -87,11 +96,13 @@ PoseFits fit_poses(const PoseTarget& target, const PoseFitOptions& options, cons
   const PoseFrame frame(target);
   const FitLimits limits = scaled_limits(options, frame);
   const PoseSearch search = search_poses(target, frame, limits, options, progress);
-  PoseFits found = sorted_out(all_told(search.minima, target, frame, options), target, options);
-  if (found.fits.empty() && !search.cancelled) {
+  std::vector<PoseFit> all = all_told(search.minima, target, frame, options);
+  PoseFits found = sorted_out(all, target, options);
+  if (is_kept_off_by_defects(found, target, options) && !search.cancelled) {
     const Progress silent{{}, progress.cancelled};
     const auto again = fit_in_turn(search.minima, target, frame, limits, options, silent);
-    found.fits = sorted_out(all_told(again, target, frame, options), target, options).fits;
+    for (PoseFit& fit : all_told(again, target, frame, options)) all.push_back(std::move(fit));
+    found = sorted_out(std::move(all), target, options);
   }
   found.counts = {search.dyads, search.starts, search.minima.size()};
   found.cancelled = search.cancelled;

@@ -27,8 +27,8 @@ struct PoseSearch {
 [[nodiscard]] PoseSearch search_poses(const PoseTarget& target, const PoseFrame& frame, const FitLimits& limits,
                                       const PoseFitOptions& options, const Progress& progress);
 
-/// Where none of the minima can be driven: fits again from the best of them, their states assigned anew, in turn along
-/// one circuit and on one side of the dead points.
+/// Where a defect keeps the nearest of the minima from being driven: fits again from the best of them, their states
+/// assigned anew, in turn along one circuit and on one side of the dead points.
 [[nodiscard]] std::vector<BodyStart> fit_in_turn(const std::vector<BodyStart>& minima, const PoseTarget& target,
                                                  const PoseFrame& frame, const FitLimits& limits,
                                                  const PoseFitOptions& options, const Progress& progress);

@@ -142,6 +142,13 @@ void explain_empty_list(Findings& found, bool nothing_listed) {
                     "range of the function. Shorten the range, or move the precision points.",
                     grouped_text(found.meeting_requirements)),
         {{"count", meeting}}};
+  else if (found.of_task && found.options.objective == Objective::near_error)
+    found.reason = {
+        "none_past_near_poses",
+        fmt::format("Of the four-bars that meet all requirements ({}) none passes the near poses in their order and "
+                    "past no dead point. Move or leave out near poses, or rank by another objective.",
+                    grouped_text(found.meeting_requirements)),
+        {{"count", meeting}}};
   else
     found.reason = {"none_beside_limits",
                     "What meets all requirements does so by round-off alone: it lies exactly at a limit. Relax "
