@@ -95,4 +95,26 @@ describe("poses", () => {
     const {given: center} = given.problem.task as unknown as {given: {instant_center: [number, number]}};
     expect(placed(center.instant_center, back!)).toEqual([expect.closeTo(5, 9), expect.closeTo(6, 9)]);
   });
+  it("takes the linkages along that a fit begins with", () => {
+    const link = {center_point: [1, 2], circle_point: [3, 4]} as const,
+      start = {input: link, output: {...link, circle_point: [7, 8]}, pose: {x: 5, y: 6, theta_deg: 40}} as const,
+      problem = {
+        linkwright: 1 as const,
+        task: {kind: "motion", mechanism: "four_bar", poses: tailgate} as MotionTask,
+        options: {fit: {starts: [start, {...start, point: [9, 1] as const}]}},
+      };
+    const document = {problem, picked: null, pins: [], order: 0} as unknown as TaskDocument,
+      back = tailgate[2]!,
+      [first, second] = referred(document, 2).problem.options!.fit!.starts!;
+    const there = (point: readonly [number, number]) => placed(point, back).map((value) => Number(value.toFixed(9)));
+    expect([first!.input, first!.output].flatMap((of) => [there(of.center_point), there(of.circle_point)])).toEqual([
+      [1, 2],
+      [3, 4],
+      [1, 2],
+      [7, 8],
+    ]);
+    const {x, y, theta_deg} = first!.pose!;
+    expect([...there([x, y]), Number((theta_deg + back.theta_deg).toFixed(9))]).toEqual([5, 6, 40]);
+    expect([first!.point, there(second!.point!)]).toEqual([undefined, [9, 1]]);
+  });
 });

@@ -1,6 +1,6 @@
 import {describe, expect, it} from "vitest";
 import type {Linkage} from "../../contract/messages";
-import type {Problem} from "../../state/problem";
+import {with_options, type Problem} from "../../state/problem";
 import {can_be_near, misses_of, near_poses, near_tolerance, with_near, with_near_tolerance} from "./near_poses";
 import type {MotionTask} from "./task";
 
@@ -28,11 +28,14 @@ describe("near poses", () => {
   });
   it("take what only they ask for away with the last of them", () => {
     const asked = problem(6, {
-      options: {objective: "near_error", best: 3, fit: {effort: "quick"}},
+      options: {objective: "near_error", best: 3},
       requirements: {max_near_error: 2, max_length: 900},
     });
     const near = with_near(with_near(asked, 2, true), 5, true);
     expect(near.options).toEqual(asked.options);
+    const fitted = with_near(with_options(with_near(near, 6, true), {fit: {effort: "quick"}}), 1, true);
+    expect(fitted.options!.fit).toEqual({effort: "quick"});
+    expect(with_near(with_near(fitted, 6, false), 1, false).options).toEqual(asked.options); // four are exact
     const last = with_near(with_near(near, 2, false), 5, false);
     expect([last.options, last.requirements]).toEqual([{best: 3}, {max_length: 900}]);
     const ranked = with_near(with_near(problem(6, {options: {objective: "size"}}), 2, true), 2, false);
