@@ -81,12 +81,11 @@ class Search {
     improve_all(starts, coarse_, 150, 0.65, 0.85);
     keep_distinct(starts);
     spread(starts);
-    found.starts += add_given(starts);
+    add_given(starts, found);
     improve_all(starts, fine_, 60, 0.85, 0.95);
     creep(starts);
     keep_to_limits(starts);
     keep_distinct(starts);
-    add_as_given(fine_, to_begin_with_, starts);
     found.minima = std::move(starts);
     found.cancelled = progress_.is_cancelled();
     return found;
@@ -134,9 +133,8 @@ class Search {
     starts = std::move(kept);
   }
 
-  // Linkages that are given to begin with, on all points: held to the branch on which they lie, and not. Returns how
-  // many.
-  std::size_t add_given(std::vector<CurveStart>& starts) {
+  // Linkages that are given to begin with, on all points: held to the branch on which they lie, and not.
+  void add_given(std::vector<CurveStart>& starts, CurveSearch& found) {
     std::vector<CurveStart> given;
     for (const TracingFourBar& linkage : options_.starts) {
       const TracingFourBar scaled = target_.scaled_linkage(linkage);
@@ -147,10 +145,10 @@ class Search {
       given.push_back(*std::move(start));
     }
     given_.hold(given);
-    to_begin_with_ = given;
+    found.given = within_limits(fine_, given);
+    found.starts += given.size();
     improve_all(given, fine_, 150, 0.85, 0.85);
     std::move(given.begin(), given.end(), std::back_inserter(starts));
-    return given.size();
   }
 
   // Near circles and straight lines least squares creep along flat valleys: the best get longer.
@@ -191,7 +189,6 @@ class Search {
   FitLimits limits_;
   GivenPivots given_;
   FitTask coarse_, fine_;
-  std::vector<CurveStart> to_begin_with_;
 };
 
 }  // namespace

@@ -25,6 +25,7 @@ struct SearchEffort {
 
 struct CurveSearch {
   std::vector<CurveStart> minima;  ///< on all points, the least sum of squares first; distinct curves
+  std::vector<CurveStart> given;   ///< what it began with, within the limits as it is
   std::size_t places = 0, starts = 0;
   bool cancelled = false;
 };

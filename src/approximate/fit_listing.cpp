@@ -25,6 +25,7 @@ CurveFits sorted_out(std::vector<FoundCurve> all, const CurveTarget& target, con
       continue;
     }
     const auto is_listed = [&](const CouplerLinkage* other) { return same_curve(*other, curve.linkage); };
+    if (curve.is_given && !found.fits.empty()) continue;
     if (!curve.fit.within_limits || found.fits.size() == options.max_fits) continue;
     if (std::any_of(listed.begin(), listed.end(), is_listed)) continue;
     listed.push_back(&curve.linkage);

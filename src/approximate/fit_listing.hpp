@@ -11,6 +11,7 @@ namespace linkwright {
 struct FoundCurve {
   CurveFit fit;
   CouplerLinkage linkage;
+  bool is_given = false;  ///< as it was to begin with: it is listed where it is the best
 };
 
 /// Those that can be driven, distinct, the best first, and the best of those that cannot.

@@ -75,16 +75,18 @@ void refit_within_limits(const Task& task, Start& start) {
   evaluate(task, start);
 }
 
-/// What a search began with is kept as it is among what was found, where it keeps the limits on its branch: a fit that
-/// is led back to its limits may end a little beside them.
+/// Of what a search began with, that which keeps the limits on its branch, as it is: a fit that is led back to its
+/// limits may end a little beside them.
 template <class Task, class Start>
-void add_as_given(const Task& task, const std::vector<Start>& given, std::vector<Start>& minima) {
+[[nodiscard]] std::vector<Start> within_limits(const Task& task, const std::vector<Start>& given) {
   constexpr double kept = 1e-9;
+  std::vector<Start> within;
   for (Start start : given) {
     slide_to_nearest(task, start);
     evaluate(task, start);
-    if (start.branch != 0 && broken_share(task.limits, start) <= kept) minima.push_back(std::move(start));
+    if (start.branch != 0 && broken_share(task.limits, start) <= kept) within.push_back(std::move(start));
   }
+  return within;
 }
 
 template <class Task, class Start>

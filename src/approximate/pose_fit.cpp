@@ -88,6 +88,20 @@ bool is_kept_off_by_defects(const PoseFits& found, const PoseTarget& target, con
              nearer * measured(found.fits.front(), target, options.measure);
 }
 
+// What the search began with comes first where it is nearer than all that was found.
+void prefer_given(const std::vector<BodyStart>& given, PoseFits& found, const PoseTarget& target,
+                  const PoseFrame& frame, const PoseFitOptions& options) {
+  const PoseFits as_given = sorted_out(all_told(given, target, frame, options), target, options);
+  if (as_given.fits.empty()) return;
+  const PoseFit& best = as_given.fits.front();
+  if (!found.fits.empty() &&
+      measured(found.fits.front(), target, options.measure) <= measured(best, target, options.measure))
+    return;
+  std::erase_if(found.fits, [&](const PoseFit& other) { return same_linkage(other.bars, best.bars); });
+  found.fits.insert(found.fits.begin(), best);
+  if (found.fits.size() > options.max_fits) found.fits.pop_back();
+}
+
 }  // namespace
 
 PoseFits fit_poses(const PoseTarget& target, const PoseFitOptions& options, const Progress& progress) {
@@ -104,6 +118,7 @@ PoseFits fit_poses(const PoseTarget& target, const PoseFitOptions& options, cons
     for (PoseFit& fit : all_told(again, target, frame, options)) all.push_back(std::move(fit));
     found = sorted_out(std::move(all), target, options);
   }
+  prefer_given(search.given, found, target, frame, options);
   found.counts = {search.dyads, search.starts, search.minima.size()};
   found.cancelled = search.cancelled;
   return found;

@@ -135,9 +135,9 @@ class PoseSearcher {
     append(starts, std::move(clean));
     const Starts given = given_starts();
     found.starts += given.size();
+    found.given = within_limits(task_of(fine_, fine_weights_), given);
     append(starts, improved(given));
     found.minima = finished(std::move(starts));
-    add_as_given(task_of(fine_, fine_weights_), given, found.minima);
     found.cancelled = progress_.is_cancelled();
     return found;
   }
@@ -253,10 +253,14 @@ class PoseSearcher {
   [[nodiscard]] Starts improved(Starts starts) const {
     const PoseFitTask task = task_of(fine_, fine_weights_);
     constexpr unsigned all_but_moving_pivots = 0b111111;
-    for (BodyStart& start : starts) start.held = all_but_moving_pivots;
-    improve_all(starts, task, 20, 0.8, 0.8);
-    for (BodyStart& start : starts) start.held = 0;
-    improve_all(starts, task, 150, 0.8, 0.8);
+    for_all_in_parts(starts.size(), options_.threads, progress_, 0.8, 0.8, [&](std::size_t k) {
+      starts[k].held = all_but_moving_pivots;
+      evaluate(task, starts[k]);
+      improve(task, starts[k], 20);
+      starts[k].held = 0;
+      starts[k].converged = false;
+      improve(task, starts[k], 150);
+    });
     return starts;
   }
 

@@ -19,6 +19,7 @@ struct PoseSearchEffort {
 
 struct PoseSearch {
   std::vector<BodyStart> minima;  ///< on all poses, in the frame of the fit; distinct
+  std::vector<BodyStart> given;   ///< what it began with, within the limits as it is
   std::size_t dyads = 0, starts = 0;
   bool cancelled = false;
 };

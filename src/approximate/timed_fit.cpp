@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <iterator>
 #include <limits>
 
 #include "approximate/coupler_linkage.hpp"
@@ -69,16 +70,18 @@ CurveFits fit_timed_curve(const CurveTarget& target, const CurveTiming& timing, 
   require_timing(target, timing);
   const ScaledTarget scaled = scaled_target(target);
   TimedSearch search = search_timed(scaled, timing, scaled_limits(options, scaled), options, progress);
+  const std::size_t found_count = search.minima.size();
+  std::move(search.given.begin(), search.given.end(), std::back_inserter(search.minima));
   std::vector<FoundCurve> all(search.minima.size());
   parallel_for(all.size(), options.threads, [&](std::size_t begin, std::size_t end) {
     for (std::size_t k = begin; k < end; ++k) {
       const TimedStart& start = search.minima[k];
       all[k] = {curve_fit_of(in_user_frame(start.linkage, scaled), start.states, target, options, choice_of(timing)),
-                start.linkage};
+                start.linkage, k >= found_count};
     }
   });
   CurveFits found = sorted_out(std::move(all), target, options);
-  found.counts = {search.shapes, search.starts, search.minima.size()};
+  found.counts = {search.shapes, search.starts, found_count};
   found.cancelled = search.cancelled;
   return found;
 }

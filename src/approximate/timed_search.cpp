@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 #include <functional>
+#include <iterator>
 
 #include "approximate/fit_parts.hpp"
 #include "approximate/given_start.hpp"
@@ -66,11 +67,13 @@ class TimedSearching {
     improve_all(starts, coarse_, 200, 0.65, 0.85);
     keep_different(starts, same_curve);
     spread(starts);
-    found.starts += add_given(starts);
+    std::vector<TimedStart> given = given_starts();
+    found.given = within_limits(fine_, given);
+    found.starts += given.size();
+    std::move(given.begin(), given.end(), std::back_inserter(starts));
     improve_all(starts, fine_, 100, 0.85, 0.95);
     keep_to_limits(starts);
     keep_different(starts, same_curve);
-    add_as_given(fine_, to_begin_with_, starts);
     found.minima = std::move(starts);
     found.cancelled = progress_.is_cancelled();
     return found;
@@ -152,8 +155,9 @@ class TimedSearching {
     std::erase_if(starts, [&](TimedStart& start) { return !place_states(fine_, start); });
   }
 
-  // Linkages that are given to begin with, in both senses of the input. Returns how many.
-  std::size_t add_given(std::vector<TimedStart>& starts) {
+  // Linkages that are given to begin with, in both senses of the input.
+  [[nodiscard]] std::vector<TimedStart> given_starts() const {
+    std::vector<TimedStart> given;
     for (const TracingFourBar& linkage : options_.starts) {
       const TracingFourBar scaled = target_.scaled_linkage(linkage);
       if (!is_usable_start(scaled.bars) || !is_finite(scaled.point)) continue;
@@ -166,11 +170,10 @@ class TimedSearching {
         start.reversed = reversed;
         start.states = {first};
         if (!timing_.absolute) start.take_datum(fine_);
-        if (place_states(fine_, start)) to_begin_with_.push_back(start);
+        if (place_states(fine_, start)) given.push_back(start);
       }
     }
-    starts.insert(starts.end(), to_begin_with_.begin(), to_begin_with_.end());
-    return to_begin_with_.size();
+    return given;
   }
 
   void keep_to_limits(std::vector<TimedStart>& starts) {
@@ -191,7 +194,6 @@ class TimedSearching {
   std::vector<Point> turns_, chosen_points_, chosen_turns_;
   std::vector<double> chosen_weights_;
   TimedTask coarse_, fine_;
-  std::vector<TimedStart> to_begin_with_;
 };
 
 }  // namespace

@@ -10,6 +10,7 @@ namespace linkwright {
 
 struct TimedSearch {
   std::vector<TimedStart> minima;  ///< on all points, the least sum of squares first; distinct curves
+  std::vector<TimedStart> given;   ///< what it began with, within the limits as it is
   std::size_t shapes = 0, starts = 0;
   bool cancelled = false;
 };

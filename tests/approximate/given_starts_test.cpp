@@ -109,5 +109,21 @@ TEST(GivenStarts, BringALongSearchIntoAShortOne) {
   EXPECT_LE(found.fits.front().error.sum_of_squares, (1 + 1e-9) * longer.fits.front().error.sum_of_squares);
 }
 
+// Of another curve, they are not listed among what was found for this one.
+TEST(GivenStarts, AreListedThemselvesOnlyWhereNothingIsNearer) {
+  const CurveTarget target = testing::curve_case("mkh2").target;
+  CurveFitOptions options{.effort = FitEffort::quick};
+  const double usual = fit_curve(target, options).fits.front().error.sum_of_squares;
+  for (std::uint64_t seed = 581; seed <= 588; ++seed) options.starts.push_back(testing::drawn_linkage(seed, true));
+  const CurveFits found = fit_curve(target, options);
+  ASSERT_FALSE(found.fits.empty());
+  EXPECT_LE(found.fits.front().error.sum_of_squares, (1 + 1e-9) * usual);
+  for (const CurveFit& fit : found.fits)
+    for (const TracingFourBar& start : options.starts)
+      EXPECT_GT(std::abs(fit.linkage().bars.input_fixed - start.bars.input_fixed) +
+                    std::abs(fit.linkage().bars.output_fixed - start.bars.output_fixed),
+                1e-6);
+}
+
 }  // namespace
 }  // namespace linkwright::given_starts_test
