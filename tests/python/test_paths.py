@@ -298,6 +298,26 @@ def test_a_drawn_path_is_fitted() -> None:
     assert best.length_unit == "mm" and len(motion) > 360
 
 
+def test_a_drawn_path_is_fitted_from_linkages_that_are_given() -> None:
+    points = np.array(BEAN)
+    longer = lw.fit_path(points, closed=True, best=20)
+    shorter = lw.fit_path(points, closed=True, effort="quick", starts=longer.linkages, best=20)
+    errors = [[linkage["fit"]["error"]["rms"] for linkage in answer.linkages] for answer in (longer, shorter)]
+    assert errors[1][0] <= errors[0][0] * (1 + 1e-9)
+    mapping = {side: longer.linkages[0][side] for side in ("input", "output")} | {"point": longer.linkages[0]["point"]}
+    assert lw.fit_path(points, closed=True, effort="quick", starts=[mapping]).status == "solved"
+    del mapping["point"]
+    with pytest.raises(KeyError, match="point"):
+        lw.fit_path(points, closed=True, starts=[mapping])
+
+
+def test_poses_are_fitted_from_linkages_that_are_given() -> None:
+    poses = [(0, 0, 0), (-60, 25, -11), (-125, 75, -25), (-178, 145, -39), (-220, 220, -52), (-240, 300, -63)]
+    longer = lw.fit_poses(poses, turning_length=177.38)
+    shorter = lw.fit_poses(poses, turning_length=177.38, effort="quick", starts=longer.linkages)
+    assert shorter.linkages[0]["near"]["error"]["rms"] <= longer.linkages[0]["near"]["error"]["rms"] * (1 + 1e-6)
+
+
 def test_a_drawn_path_is_fitted_at_angles_of_the_crank() -> None:
     angles = np.arange(16) * 22.5
     timed = lw.fit_path(BEAN, input_deg=angles, closed=True).linkages[0]

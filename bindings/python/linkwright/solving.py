@@ -4,10 +4,11 @@ from __future__ import annotations
 
 import sys
 import time
-from typing import Any, Callable, Mapping, Sequence, Union
+from typing import Any, Callable, Iterable, Mapping, Sequence, Union
 
 from . import _linkwright
 from .answers import Answer
+from .linkages import Linkage
 from .tasks import MotionTask, PathPoint, PathTask, Pose, Problem, ProblemLike, native
 
 Cancellation = _linkwright.Cancellation
@@ -52,6 +53,29 @@ def solve(
     return Answer._of(solved, read.text())
 
 
+def _start_of_path(start: Any) -> dict[str, Any]:
+    return {"point": start["point"]}
+
+
+def _start_of_poses(start: Any) -> dict[str, Any]:
+    """Where its body is: as a start has it, or as an answer has the first of the configurations."""
+    properties = start.properties if isinstance(start, Linkage) else start
+    if "pose" in properties:
+        return {"pose": properties["pose"]}
+    if "near" not in properties:
+        return {}
+    first = properties["near"]["at"][0]
+    x, y = first["place"]
+    return {"pose": {"x": x, "y": y, "theta_deg": first["theta_deg"]}}
+
+
+def _fit(effort: str, measure: str, starts: Iterable[Any], more_of: Callable[[Any], dict[str, Any]]) -> dict[str, Any]:
+    """`options.fit`; `more_of`: what a start has beside its links."""
+    ends = ("center_point", "circle_point")
+    given = [{side: {end: start[side][end] for end in ends} for side in ("input", "output")} | more_of(start) for start in starts]
+    return {"effort": effort, "measure": measure, **({"starts": given} if given else {})}
+
+
 def fit_path(
     points: Any,
     *,
@@ -66,6 +90,7 @@ def fit_path(
     requirements: Mapping[str, Any] | None = None,
     effort: str = "standard",
     measure: str = "least_squares",
+    starts: Iterable[Union[Linkage, Mapping[str, Any]]] = (),
     best: int = 10,
     length_unit: str = "",
     progress: Union[bool, Report, None] = None,
@@ -89,6 +114,8 @@ def fit_path(
         requirements: as in problem files.
         effort: ``"quick"``, ``"standard"`` or ``"deep"``: how many places and starts are tried.
         measure: ``"least_squares"``, or ``"least_largest"``: the largest distance is least.
+        starts: linkages to begin with beside those that are found: of an answer, or mappings as `options.fit.starts` of
+            problem files, each as it lies at the first point.
         best: how many linkages are listed.
         length_unit, progress, cancellation: as :func:`solve` and :class:`Problem` have them.
 
@@ -111,7 +138,7 @@ def fit_path(
     if between is None and timing is None:
         between, timing = ("free", None) if input_deg is None else (None, "relative")
     task = PathTask(path, ground_pivots, closed, tolerance, between, timing, map)
-    options = {"fit": {"effort": effort, "measure": measure}, "best": best}
+    options = {"fit": _fit(effort, measure, starts, _start_of_path), "best": best}
     problem = Problem(task, requirements=requirements, options=options, length_unit=length_unit)
     return solve(problem, progress=progress, cancellation=cancellation)
 
@@ -126,6 +153,7 @@ def fit_poses(
     requirements: Mapping[str, Any] | None = None,
     effort: str = "standard",
     measure: str = "least_squares",
+    starts: Iterable[Union[Linkage, Mapping[str, Any]]] = (),
     best: int = 10,
     length_unit: str = "",
     progress: Union[bool, Report, None] = None,
@@ -149,6 +177,7 @@ def fit_poses(
         requirements: as in problem files.
         effort: ``"quick"``, ``"standard"`` or ``"deep"``: how many starts are tried; not with four or five exact poses.
         measure: ``"least_squares"``, or ``"least_largest"``: the largest error is least; likewise.
+        starts: linkages to begin with, as :func:`fit_path` has them, without points; likewise.
         best: how many linkages are listed.
         length_unit, progress, cancellation: as :func:`solve` and :class:`Problem` have them.
 
@@ -169,7 +198,7 @@ def fit_poses(
     task = MotionTask(passed, turning_length=turning_length)
     options: dict[str, Any] = {"best": best}
     if len(exact) < 4:
-        options["fit"] = {"effort": effort, "measure": measure}
+        options["fit"] = _fit(effort, measure, starts, _start_of_poses)
     problem = Problem(task, requirements=requirements, options=options, length_unit=length_unit)
     return solve(problem, progress=progress, cancellation=cancellation)
 
