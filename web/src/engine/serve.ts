@@ -216,8 +216,7 @@ export class Engine {
     tell: (tidings: Tidings["search_fits"]) => void,
   ): Replies["search_fits"] {
     const found = JSON.parse(this.module.search_fits(problem, (done) => tell({done}))) as
-      | FitSearchReply
-      | {mistakes: Mistake[]};
+      FitSearchReply | {mistakes: Mistake[]};
     if ("mistakes" in found) throw new Refusal(found.mistakes);
     return found;
   }

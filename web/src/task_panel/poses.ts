@@ -89,7 +89,8 @@ export function referred(document: TaskDocument, index: number): TaskDocument {
       moving_pivots_within: referred_box(requirements.moving_pivots_within, origin),
     };
   const {fit} = changed.options ?? {};
-  if (fit?.starts) changed.options = {...changed.options, fit: {...fit, starts: fit.starts.map((of) => moved_start(of, point, pose))}};
+  if (fit?.starts)
+    changed.options = {...changed.options, fit: {...fit, starts: fit.starts.map((of) => moved_start(of, point, pose))}};
   if (view?.background) {
     const {angle_deg = 0} = view.background,
       [x, y] = body_point([view.background.x, view.background.y], origin);
@@ -99,7 +100,11 @@ export function referred(document: TaskDocument, index: number): TaskDocument {
   }
   return {...document, problem: changed, pins};
 }
-function moved_start({input, output, point, pose}: FitStart, move: (p: Point) => Point, turned: (p: Pose) => Pose): FitStart {
+function moved_start(
+  {input, output, point, pose}: FitStart,
+  move: (p: Point) => Point,
+  turned: (p: Pose) => Pose,
+): FitStart {
   const link = ({center_point, circle_point}: FitStart["input"]) => ({
     center_point: move(center_point),
     circle_point: move(circle_point),
