@@ -47,7 +47,7 @@ struct CurveFitOptions {
   /// Where the fixed pivot of the driving link stands, and that of the other; nothing: anywhere.
   std::optional<Point> input_pivot, output_pivot;
   /// Linkages from which least squares begin, too, beside what the scan finds: as they lie where the first point is to
-  /// be passed. Those that cannot be moved are passed over.
+  /// be passed. Those that cannot be moved are passed over; one is listed as it is where nothing found is nearer.
   std::vector<TracingFourBar> starts;
   std::size_t max_fits = 20;    ///< how many are listed
   int threads = 0;              ///< 0: as many as the machine has; never shows in results

@@ -48,7 +48,8 @@ struct PoseFitOptions {
   /// Boxes: for both fixed pivots, between which is fitted; and for both moving ones at the first pose, which only
   /// tells which linkages are listed.
   PivotWindows windows;
-  /// Beside what the field finds. Those that cannot be moved are passed over.
+  /// Beside what the field finds. Those that cannot be moved are passed over; one is listed as it is where nothing
+  /// found is nearer.
   std::vector<PoseFitStart> starts;
   std::size_t max_fits = 20;  ///< how many are listed
   int threads = 0;            ///< 0: as many as the machine has; never shows in results
