@@ -21,21 +21,6 @@ constexpr std::uint64_t fresh = 20'261'129;
 constexpr std::size_t drawn = 100;
 constexpr int points_of_each = 48;
 
-// A closed path is that of an input that turns fully; a part of a path, of any linkage.
-TracingFourBar drawn_linkage(testing::RandomFourBars& draw, bool closed) {
-  constexpr double margin = 0.03, shortest = 0.25;  // of the perimeter; of the lengths, which are below 2
-  const auto suits = [&](const LinkLengths& lengths) {
-    if (change_point_margin(lengths) < margin || lengths.shortest() < shortest) return false;
-    const LinkageType type = linkage_type(lengths);
-    return !closed || type == LinkageType::crank_rocker || type == LinkageType::double_crank;
-  };
-  LinkLengths lengths = draw.lengths();
-  while (!suits(lengths)) lengths = draw.lengths();
-  const FourBar bars = draw.four_bar(lengths);
-  const Point along{draw.uniform(-0.5, 1.5), draw.uniform(-1, 1)};
-  return {bars, bars.input_moving + along * (bars.output_moving - bars.input_moving)};
-}
-
 struct DrawnCurve {
   CurveTarget target;
   LinkageType type;
@@ -45,7 +30,10 @@ std::vector<DrawnCurve> drawn_curves(bool closed) {
   testing::RandomFourBars draw(fresh + (closed ? 0 : 1));
   std::vector<DrawnCurve> curves;
   while (curves.size() < drawn) {
-    const TracingFourBar linkage = drawn_linkage(draw, closed);
+    // A closed path is that of an input that turns fully; a part of a path, of any linkage.
+    const TracingFourBar linkage =
+        closed ? testing::drawn_linkage(draw, {LinkageType::crank_rocker, LinkageType::double_crank})
+               : testing::drawn_linkage(draw);
     const double sweep = draw.uniform(1, 3);
     CurveTarget target = testing::traced_target(linkage, closed, points_of_each, sweep);
     constexpr double least_size = 0.05;  // of the linkage: an input at a dead point does not move at all

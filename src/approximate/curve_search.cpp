@@ -60,7 +60,7 @@ class Search {
       : target_(target),
         options_(options),
         progress_(progress),
-        effort_(search_effort(options.effort, target.closed)),
+        effort_(search_effort(options.effort)),
         chosen_(target.chosen_points()),
         chosen_weights_(target.chosen_weights()),
         limits_(limits),
@@ -96,16 +96,15 @@ class Search {
     for_all_in_parts(count, options_.threads, progress_, from, to, body);
   }
 
-  // At the places of a spiral, or again and again where a pivot is given.
+  // At the places of a spiral, or again and again where a pivot is given: each time by other lengths.
   std::vector<ScannedPair> scanned_pairs() {
     std::vector<std::vector<ScannedPair>> at(given_.any() ? effort_.rounds : effort_.places);
-    const std::vector<Point> places =
-        given_.any() ? std::vector<Point>{} : pivot_places(at.size(), target_.points, limits_.ground);
+    const std::vector<Point> places = given_.any() ? std::vector<Point>(at.size(), given_.first())
+                                                   : pivot_places(at.size(), target_.points, limits_.ground);
     for_all(at.size(), 0, 0.4, [&](std::size_t k) {
-      PairWishes wishes;
+      PairWishes wishes{dyad_grid(k)};
       if (given_.any()) wishes = {dyad_grid(k), given_.drivers(), given_.second()};
-      at[k] = scan_pivot(target_, chosen_, chosen_weights_, given_.any() ? given_.first() : places[k],
-                         limits_.max_length, options_.simd, wishes);
+      at[k] = scan_pivot(target_, chosen_, chosen_weights_, places[k], limits_.max_length, options_.simd, wishes);
     });
     std::vector<ScannedPair> pairs;
     for (const auto& here : at) pairs.insert(pairs.end(), here.begin(), here.end());
@@ -193,16 +192,14 @@ class Search {
 
 }  // namespace
 
-SearchEffort search_effort(FitEffort effort, bool closed) {
-  // Closed paths of double cranks are nearly circles, and least squares creep from most starts.
-  const std::size_t creeping = closed ? 30 : 7;
+SearchEffort search_effort(FitEffort effort) {
   switch (effort) {
     case FitEffort::quick:
-      return {350, 160, 20, 6, 5, 1500, 40};
+      return {250, 180, 25, 6, 5, 1500, 40};
     case FitEffort::deep:
-      return {22400, 12800, 480, 160, 24, 10000, 2000};
+      return {16000, 12800, 480, 160, 24, 10000, 2000};
     default:
-      return {1400, 800, 60, 20, creeping, 4000, 150};
+      return {1000, 800, 60, 20, 7, 4000, 150};
   }
 }
 

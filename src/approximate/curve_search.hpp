@@ -15,7 +15,7 @@ struct SearchEffort {
   int creeping_iterations;
   std::size_t rounds;  ///< of the scan of a fixed pivot that is given
 };
-[[nodiscard]] SearchEffort search_effort(FitEffort effort, bool closed);
+[[nodiscard]] SearchEffort search_effort(FitEffort effort);
 
 /// The places of a fixed pivot that are scanned: on a spiral about the target whose turns leave no gaps, as seeds of a
 /// sunflower lie, densely near it and ever more sparsely to nine of its radii, and turned with it; within a box where

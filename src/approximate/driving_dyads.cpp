@@ -27,21 +27,22 @@ class DyadList {
   }
 
   std::vector<DrivingDyad> all() {
-    add_free(SidePattern::none, {}, grid_.sums, grid_.differences);
+    // Near a circle dyads of any lengths come about as near, and lead to different linkages.
+    for (const double& sum : grid_.sums) add_group({}, {&sum, 1}, grid_.differences);
     const Flips far = extremes(1), near = extremes(-1);
     const std::array<double, 1> told = {1};
     if (!closed_) {
-      add_free(SidePattern::far, {far[0]}, told, grid_.differences);
-      add_free(SidePattern::near, {near[0]}, grid_.sums, told);
+      add_group({far[0]}, told, grid_.differences);
+      add_group({near[0]}, grid_.sums, told);
     }
     for (const double beyond : grid_.beyond) {
       const std::array<double, 1> sum = {1 + beyond}, difference = {1 - beyond};
-      add_free(SidePattern::far_and_near, {far[0], near[0]}, sum, difference);
+      add({far[0], near[0]}, sum, difference);
     }
-    if (far.size() > 1) add_free(SidePattern::twice_far, {far[0], far[1]}, told, grid_.differences);
-    if (near.size() > 1) add_free(SidePattern::twice_near, {near[0], near[1]}, grid_.sums, told);
-    if (far.size() > 1 && near.size() > 1)
-      add_free(SidePattern::twice_both, {far[0], far[1], near[0], near[1]}, told, told);
+    ++group_;
+    if (far.size() > 1) add_group({far[0], far[1]}, told, grid_.differences);
+    if (near.size() > 1) add_group({near[0], near[1]}, grid_.sums, told);
+    if (far.size() > 1 && near.size() > 1) add_group({far[0], far[1], near[0], near[1]}, told, told);
     return std::move(dyads_);
   }
 
@@ -63,16 +64,20 @@ class DyadList {
     return found;
   }
 
+  void add_group(const Flips& flips, std::span<const double> sums, std::span<const double> differences) {
+    add(flips, sums, differences);
+    ++group_;
+  }
+
   // Sides change before or after each of the points, which themselves are on either; and either side begins.
-  void add_free(SidePattern pattern, const Flips& flips, std::span<const double> sums,
-                std::span<const double> differences) {
+  void add(const Flips& flips, std::span<const double> sums, std::span<const double> differences) {
     const std::size_t ways = std::size_t{1} << flips.size();
     for (std::size_t way = 0; way < ways; ++way) {
       const std::uint32_t right = sides(flips, way);
       for (const double sum : sums) {
         for (const double difference : differences) {
           const double s = sum * most_, d = difference * least_;
-          for (const std::uint32_t side : {right, ~right}) add({(s - d) / 2, (s + d) / 2, side, pattern});
+          for (const std::uint32_t side : {right, ~right}) add({(s - d) / 2, (s + d) / 2, side, group_});
         }
       }
     }
@@ -95,6 +100,7 @@ class DyadList {
   const DyadGrid& grid_;
   std::vector<double> distances_;
   double least_ = 0, most_ = 0;
+  std::size_t group_ = 0;
   std::vector<DrivingDyad> dyads_;
 };
 

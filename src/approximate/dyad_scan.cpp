@@ -49,8 +49,8 @@ CouplerLinkage moved_by(CouplerLinkage linkage, Point by) {
   return linkage;
 }
 
-// The best of a pattern.
-struct PatternBest {
+// The best of a group.
+struct GroupBest {
   double value = infinite;  ///< least eigenvalue
   std::optional<ScannedPair> any, clean, compact;
 
@@ -98,12 +98,13 @@ class PivotScan {
   }
 
  private:
-  [[nodiscard]] PatternBest& best_of(std::size_t k) { return best_[static_cast<std::size_t>(dyads_[k].pattern)]; }
+  [[nodiscard]] GroupBest& best_of(std::size_t k) { return best_[dyads_[k].group]; }
 
   // False where the pivot lies on the target: no dyad has a direction there.
   bool fill_block() {
     constexpr double nearest = 1e-9;
     dyads_ = driving_dyads(target_, chosen_, pivot_, wishes_.grid);
+    best_.resize(dyads_.empty() ? 0 : dyads_.back().group + 1);
     block_.count = static_cast<int>(dyads_.size());
     block_.points = static_cast<int>(chosen_.size());
     for (std::size_t j = 0; j < chosen_.size(); ++j) {
@@ -161,7 +162,7 @@ class PivotScan {
 
   [[nodiscard]] std::vector<ScannedPair> listed() const {
     std::vector<ScannedPair> pairs;
-    for (const PatternBest& of : best_) {
+    for (const GroupBest& of : best_) {
       if (of.clean) pairs.push_back(*of.clean);
       if (of.compact) pairs.push_back(*of.compact);
       if (of.any && of.any->driver == 0) pairs.push_back(*of.any);
@@ -178,7 +179,7 @@ class PivotScan {
   PairRating rating_;
   std::vector<DrivingDyad> dyads_;
   DyadBlock block_{};
-  std::array<PatternBest, side_pattern_count> best_;
+  std::vector<GroupBest> best_;
 };
 
 }  // namespace

@@ -11,16 +11,14 @@
 
 namespace linkwright {
 
-/// How often the moving pivot of a driving dyad changes its side along the target: where the dyad is stretched out, at
-/// the points farthest from the fixed pivot, and where it is folded, at the nearest.
-enum class SidePattern : std::uint8_t { none, far, near, far_and_near, twice_far, twice_near, twice_both };
-inline constexpr std::size_t side_pattern_count = 7;
-
 /// A driving dyad and at which of the chosen points its moving pivot lies to the right of the direction to the point.
+/// It changes sides where the dyad is stretched out, at the points farthest from the fixed pivot, and where it is
+/// folded, at the nearest. Those that change sides alike are a group, and of those that keep to one side those with one
+/// sum of lengths.
 struct DrivingDyad {
   double input = 0, arm = 0;
   std::uint32_t right = 0;  ///< a bit to each point
-  SidePattern pattern = SidePattern::none;
+  std::size_t group = 0;    ///< rising
 };
 
 /// What is tried where the target does not tell: the sum of a dyad's lengths over the largest distance of the target,
@@ -78,7 +76,7 @@ struct PairWishes {
   std::string_view drivers = "eug";  ///< what may drive
   std::optional<Point> second;       ///< the other fixed pivot; nothing: anywhere
 };
-/// The best pairs at a fixed pivot: to each pattern the best one, and the best one that has a driver.
+/// The best pairs at a fixed pivot: to each group of dyads the best one, and the best ones that have a driver.
 [[nodiscard]] std::vector<ScannedPair> scan_pivot(const ScaledTarget& target, std::span<const Point> chosen,
                                                   std::span<const double> weights, Point pivot, double max_length,
                                                   Simd simd, const PairWishes& wishes = {});

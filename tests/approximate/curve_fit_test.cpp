@@ -72,6 +72,19 @@ TEST(CurveFit, FindsExactClosedCurvesAgain) {
   EXPECT_GE(exact, draws - 1);
 }
 
+// Their paths are nearly circles, to which dyads of any lengths come about as near.
+TEST(CurveFit, FindsPathsOfDoubleCranksAgain) {
+  int exact = 0;
+  constexpr int draws = 40;
+  testing::RandomFourBars draw(1);
+  for (int k = 0; k < draws; ++k) {
+    const TracingFourBar linkage = testing::drawn_linkage(draw, {LinkageType::double_crank});
+    const CurveFits found = fit_curve(testing::traced_target(linkage, true, 48), quick);
+    if (!found.fits.empty() && found.fits.front().error.rms_over_diagonal < 1e-9) ++exact;
+  }
+  EXPECT_GE(exact, draws - 6);
+}
+
 TEST(CurveFit, FollowsDensePointsThroughTheirNoise) {
   for (const bool closed : {true, false}) {
     CurveTarget target = testing::traced_target(testing::drawn_linkage(3, true), closed, 300);

@@ -136,13 +136,14 @@ class Sweeps(SweepTest):
         for name, at, values, block in (("bean_stirrer", ("requirements", "max_length"), [200, 300], "fit"),
                                         ("hatch_all_near", ("task", "turning_length"), [300, 400], "near")):
             base = load(ROOT / f"examples/{name}.json")
+            base.setdefault(at[0], {})[at[1]] = values[0]
             self.done({"linkwright": 1, "problem": base, "sampling": {"method": "grid"}, "keep": {"linkages": 1},
                        "vary": [{"name": "wanted", "at": "/" + "/".join(at), "values": values}]}, "--overwrite")
             with h5py.File(self.output) as file:
                 told = list(file["linkages"][f"{block}.error.rms"])
             self.assertEqual(len(told), len(values))
             for value, rms in zip(values, told):
-                base.setdefault(at[0], {})[at[1]] = value
+                base[at[0]][at[1]] = value
                 answer = json.loads(run("solve", self.write("one.json", json.dumps(base)), "-o", "-")[1])
                 self.assertEqual(rms, answer["linkages"][0][block]["error"]["rms"])
 

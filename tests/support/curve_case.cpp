@@ -1,12 +1,11 @@
 #include "support/curve_case.hpp"
 
+#include <algorithm>
 #include <fstream>
 #include <nlohmann/json.hpp>
 
 #include "linkwright/core/angle.hpp"
 #include "linkwright/mechanism/coupler_curve.hpp"
-#include "linkwright/mechanism/linkage_type.hpp"
-#include "support/random_four_bar.hpp"
 
 namespace linkwright::testing {
 
@@ -37,17 +36,22 @@ PoseTarget pose_case(const std::string& name) {
   return target;
 }
 
-TracingFourBar drawn_linkage(std::uint64_t seed, bool crank) {
-  RandomFourBars draw(seed);
-  constexpr double margin = 0.03, shortest = 0.25;  // of the perimeter; of the lengths
-  LinkLengths lengths;
-  do {
-    lengths = draw.lengths();
-  } while (change_point_margin(lengths) < margin || lengths.shortest() < shortest ||
-           (crank && linkage_type(lengths) != LinkageType::crank_rocker));
+TracingFourBar drawn_linkage(RandomFourBars& draw, std::initializer_list<LinkageType> types) {
+  constexpr double margin = 0.03, shortest = 0.25;  // of the perimeter; of the lengths, which are below 2
+  const auto suits = [&](const LinkLengths& lengths) {
+    if (change_point_margin(lengths) < margin || lengths.shortest() < shortest) return false;
+    return types.size() == 0 || std::find(types.begin(), types.end(), linkage_type(lengths)) != types.end();
+  };
+  LinkLengths lengths = draw.lengths();
+  while (!suits(lengths)) lengths = draw.lengths();
   const FourBar bars = draw.four_bar(lengths);
   const Point along{draw.uniform(-0.5, 1.5), draw.uniform(-1, 1)};
   return {bars, bars.input_moving + along * (bars.output_moving - bars.input_moving)};
+}
+
+TracingFourBar drawn_linkage(std::uint64_t seed, bool crank) {
+  RandomFourBars draw(seed);
+  return crank ? drawn_linkage(draw, {LinkageType::crank_rocker}) : drawn_linkage(draw);
 }
 
 CurveTarget traced_target(const TracingFourBar& linkage, bool closed, int count, double sweep) {
