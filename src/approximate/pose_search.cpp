@@ -150,7 +150,7 @@ class PoseSearcher {
         for (const int branch : {1, -1})
           if (auto start = in_turn(linkage, minima[k].states.front(), branch)) starts.push_back(*std::move(start));
     improve_all(starts, task_of(fine_, fine_weights_), 150, 0, 0.7);
-    keep_best(starts, effort_.kept / 2);
+    keep_best(starts, effort_.kept);
     return finished(std::move(starts));
   }
 
@@ -315,9 +315,29 @@ class PoseSearcher {
       refit_within_limits(final_task, starts[k]);
       slide_to_nearest(final_task, starts[k]);
     });
+    append(starts, led_to_turn(starts, final_task));
     sort_by_cost(starts);
     keep_distinct(starts);
     return starts;
+  }
+
+  // Between states on one side of the dead points the way may pass two of them. Where a link turns fully there are
+  // fewer: the best that need not are fitted again by Grashof's condition.
+  [[nodiscard]] Starts led_to_turn(const Starts& starts, PoseFitTask task) const {
+    constexpr double margin = 0.003;  // of the scale
+    constexpr int iterations = 60;
+    task.limits.grashof_margin = margin;
+    Starts led;
+    for (const BodyStart& start : starts)
+      if (led.size() < effort_.kept && start.branch != 0 && grashof_excess(start.linkage.lengths()) < margin)
+        led.push_back(start);
+    for (BodyStart& start : led) start.converged = false;
+    improve_all(led, task, iterations, 1, 1);
+    for_all_in_parts(led.size(), options_.threads, progress_, 1, 1, [&](std::size_t k) {
+      refit_within_limits(task, led[k]);
+      slide_to_nearest(task, led[k]);
+    });
+    return led;
   }
 
   [[nodiscard]] std::vector<double> exact_factors() const {
