@@ -294,50 +294,55 @@ class PoseSearcher {
     return clean;
   }
 
-  // On all poses, exact ones brought to rounding, limits kept.
+  // On all poses.
   [[nodiscard]] Starts finished(Starts starts) const {
     sort_by_cost(starts);
     keep_distinct(starts);
     spread(starts);
-    const PoseFitTask task = task_of(fine_, fine_weights_);
+    PoseFitTask task = task_of(fine_, fine_weights_);
     improve_all(starts, task, 60, 0.8, 0.9);
     creep(starts, task);
-    std::vector<double> weights = fine_weights_;
-    const PoseFitTask final_task = task_of(fine_, weights);
-    for (const double factor : exact_factors()) {
-      for (const std::size_t j : fine_.exact) weights[j] = factor;
-      for (BodyStart& start : starts) start.converged = false;
-      improve_all(starts, final_task, 40, 0.93, 0.95);
-    }
-    constexpr std::size_t best = 12;
-    for_all_in_parts(starts.size(), options_.threads, progress_, 0.95, 1, [&](std::size_t k) {
-      if (options_.measure == FitMeasure::least_largest && k < best) fit_least_largest(final_task, starts[k]);
-      refit_within_limits(final_task, starts[k]);
-      slide_to_nearest(final_task, starts[k]);
-    });
-    append(starts, led_to_turn(starts, final_task));
+    settle(starts, task, 0.93, 0.98);
+    sort_by_cost(starts);
+    Starts led = not_turning(starts);
+    task.limits.grashof_margin = turning_margin;
+    improve_all(led, task, 60, 0.98, 0.99);
+    settle(led, task, 0.99, 1);
+    append(starts, std::move(led));
     sort_by_cost(starts);
     keep_distinct(starts);
     return starts;
   }
 
+  // Exact poses brought to rounding, limits kept.
+  void settle(Starts& starts, PoseFitTask task, double from, double to) const {
+    std::vector<double> weights = fine_weights_;
+    task.weights = weights;
+    for (const double factor : exact_factors()) {
+      for (const std::size_t j : fine_.exact) weights[j] = factor;
+      for (BodyStart& start : starts) start.converged = false;
+      improve_all(starts, task, 40, from, from);
+    }
+    constexpr std::size_t best = 12;
+    for_all_in_parts(starts.size(), options_.threads, progress_, from, to, [&](std::size_t k) {
+      if (options_.measure == FitMeasure::least_largest && k < best) fit_least_largest(task, starts[k]);
+      refit_within_limits(task, starts[k]);
+      slide_to_nearest(task, starts[k]);
+    });
+  }
+
   // Between states on one side of the dead points the way may pass two of them. Where a link turns fully there are
   // fewer: the best that need not are fitted again by Grashof's condition.
-  [[nodiscard]] Starts led_to_turn(const Starts& starts, PoseFitTask task) const {
-    constexpr double margin = 0.003;  // of the scale
-    constexpr int iterations = 60;
-    task.limits.grashof_margin = margin;
-    Starts led;
-    for (const BodyStart& start : starts)
-      if (led.size() < effort_.kept && start.branch != 0 && grashof_excess(start.linkage.lengths()) < margin)
-        led.push_back(start);
-    for (BodyStart& start : led) start.converged = false;
-    improve_all(led, task, iterations, 1, 1);
-    for_all_in_parts(led.size(), options_.threads, progress_, 1, 1, [&](std::size_t k) {
-      refit_within_limits(task, led[k]);
-      slide_to_nearest(task, led[k]);
-    });
-    return led;
+  static constexpr double turning_margin = 0.003;  // of the scale
+  [[nodiscard]] Starts not_turning(const Starts& starts) const {
+    Starts found;
+    for (const BodyStart& start : starts) {
+      if (found.size() == effort_.kept) break;
+      if (start.branch == 0 || grashof_excess(start.linkage.lengths()) >= turning_margin) continue;
+      found.push_back(start);
+      found.back().converged = false;
+    }
+    return found;
   }
 
   [[nodiscard]] std::vector<double> exact_factors() const {

@@ -183,8 +183,8 @@ CURVE_FIT = [
     ("Freudenstein's equation", "return {dot(e, u), DyadReal<Width>{} - cross(e, u),", "return {dot(e, u), cross(e, u),"),
     ("eigenvectors exchanged", "R{} - scale * q, v, scale * p, w", "scale * q, v, scale * p, w"),
     ("law of cosines in lanes", "excess = (a - r) * (a + r)", "excess = (r - a) * (a + r)"),
-    ("sides at the farthest and the nearest point", "add_free(SidePattern::far_and_near, {far[0], near[0]}, sum, difference);", ";"),
-    ("sum and difference of the first dyad", "add({(s - d) / 2, (s + d) / 2, side, pattern})", "add({(s - d) / 2, (s - d) / 2, side, pattern})"),
+    ("sides at the farthest and the nearest point", "add({far[0], near[0]}, sum, difference);", ";"),
+    ("sum and difference of the first dyad", "add({(s - d) / 2, (s + d) / 2, side, group_})", "add({(s - d) / 2, (s - d) / 2, side, group_})"),
     ("side begins anew", "right ^= ~std::uint32_t{0} << first", "right |= std::uint32_t{1} << first"),
     # second dyad
     ("condition of a dyad", "triple_product(g.gamma, z.zeta, o.omega).imag()", "triple_product(g.gamma, z.zeta, o.omega).real()"),
